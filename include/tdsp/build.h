@@ -1,0 +1,93 @@
+/*
+ * The sampler: any oracle in, the bytes of a table out.
+ *
+ * Adaptive sampling places each row as late as the guarantee allows; geometric sampling is Algorithm 1 of Maheshwari,
+ * Nouri, Sack (arXiv 1808.01984) with its indices mended. See docs/math.md.
+ */
+#ifndef TDSP_BUILD_H
+#define TDSP_BUILD_H
+
+#include "tdsp/oracle.h"
+#include "tdsp/status.h"
+#include "tdsp/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define TDSP_MAX_ROWS 16777216u /* 2^24 */
+
+/** What the table says of the world it was built for; copied into its header. */
+typedef struct tdsp_build_world {
+    uint64_t scene_hash;     /* tdsp_scene_hash(), or any number that identifies the world */
+    double speed;            /* the robot's top speed; 0 where that means nothing */
+    tdsp_point source;
+    tdsp_point destination;
+    const char *length_unit; /* at most 15 bytes of UTF-8; NULL is "" */
+    const char *time_unit;   /* at most 15 bytes of UTF-8; NULL is "" */
+} tdsp_build_world;
+
+/** Called now and then with the departures settled so far out of all; a return other than 0 cancels. */
+typedef int (*tdsp_progress)(void *ctx, double settled, double all);
+
+/** Called to run task(task_ctx, i, worker) for each i < count, in any order; worker < workers says which oracle to use. */
+typedef void (*tdsp_task)(void *task_ctx, size_t i, size_t worker);
+typedef void (*tdsp_run_tasks)(void *ctx, tdsp_task task, void *task_ctx, size_t count);
+
+typedef struct tdsp_build_options {
+    size_t size; /* sizeof(tdsp_build_options), set by tdsp_build_options_init() */
+    tdsp_guarantee guarantee;
+    tdsp_sampling sampling;
+    double epsilon;         /* travel and arrival: 1e-9 to 1 */
+    double delta;           /* absolute: over 0, in the unit of time */
+    double horizon;         /* departures are sampled up to this; infinity for none */
+    uint32_t max_rows;      /* 1 to TDSP_MAX_ROWS */
+    tdsp_build_world world; /* copied into the table's header */
+    tdsp_progress progress; /* may be NULL */
+    void *progress_ctx;
+    tdsp_run_tasks run_tasks;   /* the caller's threads; NULL: everything in this one */
+    void *run_tasks_ctx;
+    const tdsp_oracle *workers; /* one oracle a worker, equal in their answers; NULL: only the oracle given */
+    size_t worker_count;
+} tdsp_build_options;
+
+/** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread. Since 0.1. */
+TDSP_API void tdsp_build_options_init(tdsp_build_options *options);
+
+/** What was built, and what it cost. */
+typedef struct tdsp_build_report {
+    uint64_t rows;          /* departures in the table, the first at 0 */
+    uint64_t bytes;         /* of the table */
+    uint64_t forward_calls; /* calls of earliest_arrival */
+    uint64_t reverse_calls; /* calls of latest_departure */
+    double last_departure;  /* the end of the table's domain */
+    tdsp_status last_reason; /* why there is no answer after it; TDSP_HORIZON where the horizon ended it */
+} tdsp_build_report;
+
+/**
+ * Build a table.
+ *
+ * @param oracle     asked one call at a time, unless options->run_tasks spreads them over options->workers
+ * @param options    see above
+ * @param allocator  for the bytes and for what is needed meanwhile; NULL for the C library's
+ * @param bytes      receives the table, owned by the caller: free with tdsp_bytes_free() and the same allocator
+ * @param length     receives its length in bytes
+ * @param report     may be NULL; filled on success
+ * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED, TDSP_CUT_OFF or TDSP_UNREACHABLE when there is no way at departure 0;
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED (geometric with another guarantee than arrival, travel with an oracle that
+ *         is monotone in arrival); TDSP_NEEDS_HORIZON; TDSP_TOO_MANY_ROWS; TDSP_BAD_ORACLE; TDSP_CANCELLED; TDSP_NO_MEMORY; an error
+ *         of the oracle. Outputs are untouched unless TDSP_OK.
+ *
+ * The bytes depend on the oracle and the options only, not on the number of workers. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_build(const tdsp_oracle *oracle, const tdsp_build_options *options, const tdsp_allocator *allocator,
+                                void **bytes, size_t *length, tdsp_build_report *report);
+
+/** Free the bytes of a table that tdsp_build() made. Since 0.1. */
+TDSP_API void tdsp_bytes_free(const tdsp_allocator *allocator, void *bytes, size_t length);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

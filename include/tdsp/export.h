@@ -1,0 +1,16 @@
+/* Visibility of public symbols, and the library's version. */
+#ifndef TDSP_EXPORT_H
+#define TDSP_EXPORT_H
+
+#if defined(__GNUC__) && !defined(_WIN32)
+#define TDSP_API __attribute__((visibility("default")))
+#else
+#define TDSP_API
+#endif
+
+#define TDSP_VERSION_MAJOR 0
+#define TDSP_VERSION_MINOR 1
+#define TDSP_VERSION_PATCH 0
+#define TDSP_VERSION_STRING "0.1.0"
+
+#endif

@@ -1,0 +1,57 @@
+/*
+ * The oracle: the seam between fixed-time shortest paths and the sampler. Fill in the struct to build tables over
+ * any kind of world; the sampler knows nothing of discs.
+ */
+#ifndef TDSP_ORACLE_H
+#define TDSP_ORACLE_H
+
+#include "tdsp/status.h"
+#include "tdsp/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A path handed out by an oracle: legs, or bytes that only the oracle understands, or neither. */
+typedef struct tdsp_oracle_path {
+    const tdsp_leg *legs; /* owned by the oracle, valid until its next call */
+    size_t leg_count;
+    const void *bytes; /* owned by the oracle, valid until its next call */
+    size_t byte_count; /* at most 2^31 - 1 */
+} tdsp_oracle_path;
+
+/**
+ * An oracle. Initialise with tdsp_oracle_init(), then set members. Callbacks return an answer (status.h) or an error; an
+ * error stops the caller and is handed on. They are called one at a time.
+ */
+typedef struct tdsp_oracle {
+    size_t size; /* sizeof(tdsp_oracle), set by tdsp_oracle_init() */
+    void *ctx;   /* handed to each callback */
+    tdsp_monotone monotone;
+    double error; /* stated error: |returned A(t) - true A(t)| <= error * (T(t) + time_scale); default 0 */
+    double time_scale; /* a time that is typical of the problem, e.g. |sd| / speed; not negative; default 0 */
+
+    /* A(t) for t >= 0: TDSP_OK and *arrival, or an answer that says why there is no way (*arrival is then ignored).
+     * Where there is no way for t there is none for any later t. Required. */
+    tdsp_status (*earliest_arrival)(void *ctx, double departure, double *arrival);
+
+    /* sup { t >= 0 : A(t) <= arrival }: TDSP_OK and *departure, TDSP_ARRIVAL_TOO_EARLY, or why there is no way. `arrival` may be
+     * infinite: the last departure of all, infinite when there is none. NULL: the sampler inverts earliest_arrival. */
+    tdsp_status (*latest_departure)(void *ctx, double arrival, double *departure);
+
+    /* The path of the last earliest_arrival that returned TDSP_OK. NULL: rows carry no path. */
+    tdsp_status (*path)(void *ctx, tdsp_oracle_path *out);
+
+    /* Why departures end at `departure` (the value of latest_departure(infinity)). NULL: the sampler asks earliest_arrival just
+     * after it. */
+    tdsp_status (*last_reason)(void *ctx, double departure, tdsp_status *reason);
+} tdsp_oracle;
+
+/** All members to their defaults. Since 0.1. */
+TDSP_API void tdsp_oracle_init(tdsp_oracle *oracle);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

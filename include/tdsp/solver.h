@@ -1,0 +1,107 @@
+/*
+ * The exact oracles among growing discs: earliest arrival, latest departure, and their paths.
+ *
+ * Method: Maheshwari, Nouri, Sack (arXiv 1808.01984) with the search described in docs/math.md: tangents and
+ * logarithmic spirals between moving Steiner points, explored in order of time by a binary heap (A*).
+ */
+#ifndef TDSP_SOLVER_H
+#define TDSP_SOLVER_H
+
+#include "tdsp/oracle.h"
+#include "tdsp/scene.h"
+#include "tdsp/status.h"
+#include "tdsp/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed. */
+#define TDSP_SOLVER_ERROR 1e-11
+
+/** A workspace for questions to one scene: one for each thread. */
+typedef struct tdsp_solver tdsp_solver;
+
+/**
+ * @param scene  must outlive the solver; its allocator is used
+ * @param out    owned by the caller: tdsp_solver_free(); untouched on error
+ * @return TDSP_OK, TDSP_INVALID_ARGUMENT, TDSP_NO_MEMORY. O(n) memory. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out);
+
+/** Free a solver; NULL is allowed. Since 0.1. */
+TDSP_API void tdsp_solver_free(tdsp_solver *solver);
+
+/**
+ * A(t): the earliest arrival at the destination for a robot that leaves the source at `departure`.
+ *
+ * @param departure  finite, not negative
+ * @param arrival    the arrival; infinity when there is no way. Untouched on error (a status that is no answer)
+ * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED or TDSP_CUT_OFF when there is no way;
+ *         TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
+ *
+ * O(n^2 log n) at worst for discs of one rate. One thread at a time for a solver. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival);
+
+/**
+ * A^-1(a) = sup { t : A(t) <= a }: the latest departure that arrives at `arrival` or before, exact also where A jumps.
+ * An arrival after the last possible one answers the last departure.
+ *
+ * @param arrival    not negative; infinity asks for the last departure of all
+ * @param departure  the latest departure; infinity when `arrival` is infinite and nothing ever ends the departures;
+ *                   untouched unless TDSP_OK
+ * @param arrives    A(departure), at most `arrival`; may be NULL; untouched unless TDSP_OK
+ * @return TDSP_OK; TDSP_ARRIVAL_TOO_EARLY when arrival < A(0); the reason why there is no way at all;
+ *         TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives);
+
+/** What ends the departures. */
+typedef struct tdsp_last_departure {
+    double departure;   /* t_last; infinite when nothing ever ends the departures; negative when there is no way at t = 0 */
+    double arrival;     /* A(t_last) */
+    tdsp_status reason; /* why there is no way right after it: TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED, TDSP_CUT_OFF;
+                           TDSP_OK when nothing ever ends the departures */
+    uint32_t disc;      /* the disc that covers the end, or the first disc of the gap that closes, or TDSP_NO_DISC */
+    uint32_t other;     /* the second disc of the gap, or TDSP_NO_DISC */
+    double time;        /* when that happens */
+    tdsp_point place;   /* where: the end covered, or the corner of the gap */
+} tdsp_last_departure;
+
+/** t_last = sup { t : A(t) < infinity } and its reason. Errors as tdsp_latest_departure(). Since 0.1. */
+TDSP_API tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out);
+
+/**
+ * The path of the last answer: of A(t), or of A(t) at the latest departure.
+ *
+ * @param legs      receives the legs; may be NULL when capacity is 0
+ * @param capacity  room in `legs`
+ * @param count     receives the number of legs, also when the room is too small. 0 legs when source = destination
+ * @return TDSP_OK; TDSP_BUFFER_TOO_SMALL; TDSP_NO_ANSWER; TDSP_INVALID_ARGUMENT. O(legs). Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_solver_path(const tdsp_solver *solver, tdsp_leg *legs, size_t capacity, size_t *count);
+
+/** Work done since the solver was made. */
+typedef struct tdsp_solver_work {
+    uint64_t forward_searches; /* searches for A(t) */
+    uint64_t reverse_searches; /* searches backwards in time, gap events included */
+    uint64_t labels;           /* labels taken from the heap */
+    uint64_t legs_tested;      /* straight legs tested against the discs */
+    uint64_t bytes;            /* memory held by the solver now */
+} tdsp_solver_work;
+
+/** The counters so far. O(1). Since 0.1. */
+TDSP_API tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *out);
+
+/**
+ * The solver as an oracle for the sampler: monotone in travel, with both directions. The oracle borrows the solver.
+ * Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,16 @@
+/* libtdsp: time-dependent shortest paths among growing discs. Everything at once. */
+#ifndef TDSP_TDSP_H
+#define TDSP_TDSP_H
+
+#include "tdsp/build.h"
+#include "tdsp/oracle.h"
+#include "tdsp/path.h"
+#include "tdsp/scene.h"
+#include "tdsp/search.h"
+#include "tdsp/solver.h"
+#include "tdsp/status.h"
+#include "tdsp/table.h"
+#include "tdsp/types.h"
+#include "tdsp/verify.h"
+
+#endif

@@ -1,0 +1,68 @@
+/*
+ * The verifier: checks a path against the discs, and a table against its scene, by means that share no code with
+ * the search.
+ */
+#ifndef TDSP_VERIFY_H
+#define TDSP_VERIFY_H
+
+#include "tdsp/scene.h"
+#include "tdsp/status.h"
+#include "tdsp/table.h"
+#include "tdsp/types.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What may be wrong with a path; a verdict's problems are a sum of these. */
+#define TDSP_PROBLEM_START 1u      /* does not start at the source at the departure */
+#define TDSP_PROBLEM_END 2u        /* does not end at the destination at the arrival */
+#define TDSP_PROBLEM_JOIN 4u       /* legs do not join in place or time */
+#define TDSP_PROBLEM_SPEED 8u      /* faster than the robot */
+#define TDSP_PROBLEM_CLEARANCE 16u /* enters a disc by more than the tolerance */
+#define TDSP_PROBLEM_LEG 32u       /* a leg is not well formed: not finite, time runs backwards, an arc off its centre */
+
+/** Clearances down to minus this, times the size of the journey and of the coordinates in it, are rounding (docs/math.md). */
+#define TDSP_VERIFY_TOLERANCE 1e-9
+
+typedef struct tdsp_verdict {
+    uint32_t problems;    /* 0: the path is good */
+    double min_clearance; /* a lower bound on the clearance to the inflated discs over the whole motion, within the tolerance of the least
+                             one; infinite without discs */
+    double time;          /* when it is least */
+    uint32_t disc;        /* to which disc; TDSP_NO_DISC without discs */
+    size_t leg;           /* on which leg, or the first leg with a problem */
+    double tolerance;     /* the tolerance that was used, a length */
+} tdsp_verdict;
+
+/**
+ * Check a path: well formed, starts and ends right, joins, keeps to the top speed, and stays clear of every disc over its whole
+ * motion, by rigorous bounds between samples.
+ *
+ * @param departure, arrival  what the path claims
+ * @return TDSP_OK when the check was done (the verdict says how it went); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
+ *
+ * O((n + hard) legs) time. Any thread. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure,
+                                      double arrival, tdsp_verdict *out);
+
+/** What may be wrong with a table besides its bytes. */
+typedef struct tdsp_table_verdict {
+    int ok;
+    int stale;               /* built for another scene */
+    uint64_t bad_order;      /* rows whose departures or travel times are out of order */
+    uint64_t bad_ratio;      /* rows that break the guarantee */
+    uint64_t bad_paths;      /* rows whose path was rejected */
+    uint64_t first_bad_row;  /* the first row with any problem; UINT64_MAX when none */
+    tdsp_verdict worst;      /* the verdict of the path with the least clearance, or of the first rejected one */
+} tdsp_table_verdict;
+
+/** Check an opened table against its scene: hash, order, interval ratios, each row's path. Errors as tdsp_verify_path(). Since 0.1. */
+TDSP_API tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,7 @@
+/* The version of the linked library, which may differ from that of the headers a program was compiled with. */
+#include "tdsp/types.h"
+
+const char *tdsp_version(void)
+{
+    return TDSP_VERSION_STRING;
+}

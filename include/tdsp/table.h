@@ -22,15 +22,20 @@ typedef struct tdsp_table {
     const unsigned char *bytes;
     uint64_t length;
     uint64_t rows;
+    uint64_t waypoint_count;
+    uint64_t arc_count;
     uint64_t departures; /* offsets of the sections */
     uint64_t left;
     uint64_t right;
-    uint64_t first_leg;
-    uint64_t legs;
-    uint64_t leg_count;
+    uint64_t first_waypoint;
+    uint64_t waypoints;
+    uint64_t arcs;
+    uint64_t first_byte;
     uint64_t opaque;
     uint64_t opaque_length;
-    uint64_t reserved[2];
+    uint32_t monotone;
+    uint32_t joint; /* waypoints at the joint of two legs: 1 or 2 */
+    uint64_t reserved;
 } tdsp_table;
 
 /**
@@ -57,10 +62,12 @@ typedef struct tdsp_table_info {
     uint64_t scene_hash;
     double epsilon;         /* the bound of travel and arrival; 0 for absolute */
     double delta;           /* the bound of absolute; 0 for the others */
-    double error;           /* the oracle's stated error */
+    double error;           /* the oracle's stated error: of A(t), error * (T(t) + time_scale) */
+    double time_scale;
     double speed;
     tdsp_point source;
     tdsp_point destination;
+    double first_lower;      /* T(0), rounded down */
     double first_departure;  /* 0 */
     double last_departure;   /* b_(n-1) */
     tdsp_status last_reason; /* why there is no answer after it */
@@ -73,8 +80,9 @@ TDSP_API tdsp_status tdsp_table_get_info(const tdsp_table *table, tdsp_table_inf
 
 typedef struct tdsp_row {
     double departure; /* b_i */
-    double left;      /* T(b_i), rounded up: the travel time of the row's path */
-    double right;     /* T(b_i+), rounded down: over left at a jump; infinite for the last row of a table that does not end at a horizon */
+    double left;      /* T(b_i), rounded up: the row's path takes no longer */
+    double right;     /* T(b_i+), rounded down: over left at a jump; infinite for the last row of a table that does not end at a horizon.
+                         Elsewhere it may be below left by as much as both were rounded. */
     uint64_t legs;    /* legs of the row's path */
 } tdsp_row;
 
@@ -131,7 +139,11 @@ TDSP_API tdsp_status tdsp_table_path(const tdsp_table *table, double departure, 
  * log legs). Since 0.1. */
 TDSP_API tdsp_status tdsp_table_position(const tdsp_table *table, double departure, double time, tdsp_point *out);
 
-/** A jump of the travel time at a row. */
+/**
+ * A jump of the travel time at a row: right exceeds left by more than 2 error (left + time_scale) + 2^-40 (departure + left). Both are
+ * rounded outward by the stated error already; the second term is there because right may have been taken at the next double after the
+ * departure, where a steep T has risen a little.
+ */
 typedef struct tdsp_jump {
     uint64_t row;
     double departure; /* the last departure before the jump */

@@ -153,7 +153,163 @@ tests: $(TESTS) ## build the test programs
 
 .PHONY: sanitize
 sanitize: ## build everything with ASan and UBSan in build/sanitize
-	$(MAKE) SANITIZE=1 BUILD=build/sanitize all tests
+	$(MAKE) SANITIZE=1 BUILD=$(BUILD)/sanitize all tests
+
+.PHONY: packages
+packages: ## install the Debian packages that `make check` needs, those that are missing
+	tools/setup/packages.sh check
+
+# ------------------------------------------------------------------------------------------------------------- examples
+
+EXAMPLE_SOURCES := $(sort $(wildcard examples/c/*.c))
+EXAMPLES := $(patsubst examples/c/%.c,$(BUILD)/examples/%,$(EXAMPLE_SOURCES))
+EXAMPLE_CFLAGS = $(filter-out -fvisibility=hidden -fPIC,$(CFLAGS)) -Iinclude -MMD -MP
+
+# They see what a user sees: the public headers and the archive.
+$(filter-out %/firmware_lookup,$(EXAMPLES)): $(BUILD)/examples/%: examples/c/%.c $(STATIC)
+	@mkdir -p $(@D)
+	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $< $(STATIC) -lm -o $@
+
+# Firmware has no scene and no solver: an array made by `tdsp embed`, and the reader.
+FIRMWARE_SCENE := examples/scenes/firmware_lookup.json
+$(BUILD)/examples/embedded.c: $(FIRMWARE_SCENE) $(COMMAND)
+	@mkdir -p $(@D)
+	$(BUILD)/tdsp build $(FIRMWARE_SCENE) -o $(BUILD)/examples/embedded.tdsp
+	$(BUILD)/tdsp embed $(BUILD)/examples/embedded.tdsp -o $@
+$(BUILD)/examples/firmware_lookup: examples/c/firmware_lookup.c $(BUILD)/examples/embedded.c $(QUERY)
+	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $(filter %.c,$^) $(QUERY) -lm -o $@
+
+.PHONY: examples
+examples: $(EXAMPLES) ## build the example programs of examples/c
+
+# ----------------------------------------------------------------------------------------------------------------- demo
+
+DEMO_SCENE ?= examples/scenes/fire-oregon-a.json
+
+.PHONY: demo
+demo: ## the main job on a real scene: table and two pictures in build/demo
+	@tools/setup/packages.sh demo
+	@$(MAKE) --no-print-directory -s all
+	@tools/setup/demo.sh $(BUILD) $(DEMO_SCENE)
+
+.PHONY: pictures
+pictures: all ## draw the pictures of README.md again
+	tools/setup/pictures.sh $(BUILD) docs/pictures
+
+.PHONY: results
+results: all ## measure the real scenes of TDSP_DATA and write docs/results.md
+	$(PYTHON) tests/bench/results.py --command $(BUILD)/tdsp --scenes $(TDSP_DATA)/scenes --limit $(RESULTS_LIMIT) -o docs/results.md
+RESULTS_LIMIT ?= 300
+
+# -------------------------------------------------------------------------------------------------------------- testing
+
+# Results of one run of the tests: CHECK/VARIANT/.../NAME.result, added up at the end. A failing test does not stop make (its result
+# counts); only what does not build does.
+CHECK := $(BUILD)/check
+VARIANT ?= gcc
+JOBS ?= $(shell nproc)
+FUZZ_SECONDS ?= 10
+# Tests find the command in TDSP, and its directory in TDSP_BUILD.
+RUN = @TDSP=$(abspath $(BUILD))/tdsp TDSP_BUILD=$(abspath $(BUILD)) tests/run.sh $@ "$(patsubst $(CHECK)/%.result,%,$@)"
+
+CLI_SCRIPTS := $(sort $(wildcard tests/cli/test_*.sh tests/cli/test_*.py tests/independent/test_*.sh tests/independent/test_*.py))
+TEST_RUNS := $(patsubst tests/%.c,$(CHECK)/$(VARIANT)/%.result,$(TEST_SOURCES))
+SCRIPT_RUNS := $(patsubst tests/%,$(CHECK)/$(VARIANT)/%.result,$(CLI_SCRIPTS))
+
+# Known leaks at exit are those of fontconfig behind cairo.
+export ASAN_OPTIONS ?= detect_stack_use_after_return=1:strict_string_checks=1
+export LSAN_OPTIONS ?= suppressions=$(CURDIR)/tests/lsan.supp:print_suppressions=0
+export UBSAN_OPTIONS ?= print_stacktrace=1
+export G_SLICE ?= always-malloc
+
+$(TEST_RUNS): $(CHECK)/$(VARIANT)/%.result: $(BUILD)/tests/% $(COMMAND) FORCE
+	$(RUN) $<
+$(SCRIPT_RUNS): $(CHECK)/$(VARIANT)/%.result: tests/% $(COMMAND) FORCE
+	$(RUN) $(if $(filter %.py,$<),$(PYTHON),bash) $<
+
+.PHONY: run-tests run-unit
+run-tests: $(TEST_RUNS) $(SCRIPT_RUNS)
+run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
+
+# Everything that is checked once and needs no variant.
+checks := layers functions links headers objects examples snippets install
+check_runs := $(checks:%=$(CHECK)/%.result)
+.PHONY: run-checks
+run-checks: $(check_runs)
+$(check_runs): FORCE
+$(CHECK)/layers.result: ; $(RUN) $(PYTHON) tests/check_layers.py
+$(CHECK)/functions.result: ; $(RUN) $(PYTHON) tests/check_functions.py
+$(CHECK)/links.result: ; $(RUN) $(PYTHON) tests/check_links.py
+$(CHECK)/headers.result: ; $(RUN) bash -c 'tests/headers/check.sh gcc g++; a=$$?; tests/headers/check.sh $(CLANG) $(CLANGXX) || a=1; exit $$a'
+$(CHECK)/objects.result: all ; $(RUN) $(PYTHON) tests/check_objects.py $(BUILD)
+$(CHECK)/examples.result: $(EXAMPLES) ; $(RUN) tests/check_examples.sh $(BUILD)/examples
+$(CHECK)/snippets.result: all ; $(RUN) $(PYTHON) tests/check_snippets.py $(BUILD) README.md docs/guide.md
+$(CHECK)/install.result: all ; $(RUN) tests/install/check.sh $(MAKE) $(BUILD)
+
+.PHONY: run-fuzz
+run-fuzz: $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result)
+$(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result): $(CHECK)/%.result: $(BUILD)/tests/% FORCE
+	$(RUN) tests/fuzz.sh $(FUZZ_SECONDS) $<
+
+.PHONY: check-steps check-gcc check-clang check-sanitize check-fuzz
+check-steps: check-gcc check-clang check-sanitize check-fuzz run-checks
+check-gcc: run-tests
+# The second compiler is for its warnings and for what depends on the compiler: the unit tests show that.
+check-clang:
+	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests run-unit
+check-sanitize:
+	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize CHECK=$(CHECK) VARIANT=sanitize all run-tests
+check-fuzz:
+	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz CHECK=$(CHECK) run-fuzz
+
+.PHONY: check
+check: ## run every test; the last line says how many passed and failed
+	@tools/setup/packages.sh check
+	@rm -rf $(CHECK) && mkdir -p $(CHECK)
+	+@$(MAKE) --no-print-directory -s -k -Otarget $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check-steps || echo "0 1" > $(CHECK)/build.result
+	@tests/summary.sh $(CHECK)
+
+.PHONY: unit
+unit: ## run the unit tests only
+	@mkdir -p $(CHECK)
+	@rm -rf $(CHECK)/$(VARIANT)/unit
+	@$(MAKE) --no-print-directory -s -k run-unit
+	@tests/summary.sh $(CHECK)/$(VARIANT)/unit
+
+.PHONY: fuzz
+fuzz: ## fuzz for FUZZ_SECONDS each (default 600)
+	@tools/setup/packages.sh check
+	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz fuzzers
+	@tests/fuzz.sh $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
+.PHONY: fuzzers
+fuzzers: $(FUZZERS)
+
+.PHONY: format
+format: ## lay out the C sources by .clang-format
+	clang-format-19 -i $(wildcard include/tdsp/*.h src/*/*.[ch] tools/tdsp/*.[ch] tests/*/*.[ch] examples/c/*.[ch])
+
+# ----------------------------------------------------------------------------------------------------------- installing
+
+HEADERS := $(sort $(wildcard include/tdsp/*.h))
+INSTALL := install
+
+.PHONY: install
+install: all ## install to DESTDIR/PREFIX (default /usr/local): command, libraries, headers, pkg-config file
+	$(INSTALL) -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR)/tdsp
+	$(INSTALL) -m 755 $(BUILD)/tdsp $(DESTDIR)$(BINDIR)/tdsp
+	$(INSTALL) -m 644 $(STATIC) $(QUERY) $(DESTDIR)$(LIBDIR)
+	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
+	ln -sf libtdsp.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so.$(SOVERSION)
+	ln -sf libtdsp.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so
+	$(INSTALL) -m 644 $(HEADERS) $(DESTDIR)$(INCLUDEDIR)/tdsp
+	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|' -e 's|@VERSION@|$(VERSION)|' \
+	  tools/setup/tdsp.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/tdsp.pc
+
+.PHONY: uninstall
+uninstall: ## remove what install put there
+	rm -f $(DESTDIR)$(BINDIR)/tdsp $(DESTDIR)$(LIBDIR)/libtdsp.a $(DESTDIR)$(LIBDIR)/libtdsp-query.a $(DESTDIR)$(LIBDIR)/libtdsp.so*
+	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/tdsp.pc $(addprefix $(DESTDIR)$(INCLUDEDIR)/tdsp/,$(notdir $(HEADERS)))
+	rmdir $(DESTDIR)$(INCLUDEDIR)/tdsp
 
 .PHONY: clean
 clean: ## remove everything that was built
@@ -161,4 +317,4 @@ clean: ## remove everything that was built
 
 .PHONY: help
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1|\2/p' $(MAKEFILE_LIST) | column -t -s'|'
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '  make %-10s %s\n' "$$name" "$$text"; done

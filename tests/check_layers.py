@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Check that the layers of docs/README.md hold: a file of the library includes its own folder and lower layers only.
+
+Folders on one layer never include each other; a public header includes public headers only. The C library's headers are held
+to the layer too: below the freestanding line (layers 0 to 2) only those that a microcontroller has. An include that no rule
+speaks of is a failure: a new folder gets its layer here first.
+"""
+import pathlib
+import re
+import sys
+
+LAYERS = {"base": 0, "geom": 1, "table": 1, "query": 2, "scene": 3, "search": 4, "build": 5, "verify": 5}
+LINE = 2
+FREESTANDING = {"float.h", "limits.h", "math.h", "stddef.h", "stdint.h", "string.h"}
+HOSTED = FREESTANDING | {"assert.h", "stdlib.h"}
+# What code below the line may know of the public interface.
+PUBLIC_BELOW = {"export.h", "path.h", "status.h", "table.h", "types.h"}
+# The verifier is the second opinion on the engine: it shares none of its geometry, though the layers would allow it.
+FORBIDDEN = {("verify", "geom"), ("verify", "search")}
+
+INCLUDE = re.compile(r'^\s*#\s*include\b\s*(.*?)\s*$', re.M)
+
+
+def system_edge(folder, target):
+    allowed = FREESTANDING if LAYERS[folder] <= LINE else HOSTED
+    return None if target in allowed else f"<{target}> is not for layer {LAYERS[folder]}"
+
+
+def own_edge(folder, target):
+    head, _, rest = target.partition("/")
+    if head == "tdsp":
+        below = LAYERS[folder] > LINE or rest in PUBLIC_BELOW
+        return None if below else f"{target} lies above the freestanding line"
+    if head not in LAYERS:
+        return f"{target}: no rule says which layer that is"
+    lower = head == folder or LAYERS[head] < LAYERS[folder]
+    if (folder, head) in FORBIDDEN or not lower:
+        return f"{folder} (layer {LAYERS[folder]}) may not include {head} (layer {LAYERS[head]})"
+    return None
+
+
+def source_edge(folder, include):
+    """What is wrong with an include in a file of `folder`; None when nothing is."""
+    target = include[1:-1]
+    if folder not in LAYERS:
+        return f"folder {folder}: no rule says which layer that is"
+    if include[:1] == "<" and include[-1:] == ">":
+        return system_edge(folder, target)
+    if include[:1] == '"' and include[-1:] == '"':
+        return own_edge(folder, target)
+    return f"cannot read #include {include}"
+
+
+def public_edge(_, include):
+    fine = include in ("<stddef.h>", "<stdint.h>") or include.startswith('"tdsp/')
+    return None if fine else f"{include} in a public header"
+
+
+def problems(path, folder, judge):
+    includes = INCLUDE.findall(re.sub(r"/\*.*?\*/", " ", path.read_text(encoding="utf-8"), flags=re.S))
+    return [problem for problem in (judge(folder, include) for include in includes) if problem]
+
+
+def main():
+    root = pathlib.Path(__file__).resolve().parent.parent
+    found = {}
+    for path in sorted(p for p in (root / "src").rglob("*") if p.suffix in (".c", ".h")):
+        found[path] = problems(path, path.relative_to(root / "src").parts[0], source_edge)
+    for path in sorted((root / "include" / "tdsp").glob("*.h")):
+        found[path] = problems(path, "include", public_edge)
+    for path, wrong in found.items():
+        print(f"not ok layers {path.relative_to(root)}: {'; '.join(wrong)}" if wrong else f"ok layers {path.relative_to(root)}")
+    return int(any(found.values()))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

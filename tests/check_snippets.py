@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+"""Run what the documentation shows, so that it stays true.
+
+    check_snippets.py BUILD PAGE...
+
+In a ```console block each line "$ COMMAND" is run by bash from the top of the checkout, with BUILD in PATH, and the lines after it are what it
+prints, to the letter; a line "..." stands for any lines, and "..." in a line for any text. In a ```sh block `make TARGET` must be
+a target with a line of help and everything else is run and must succeed. A ```c block that has a main() is compiled with warnings as
+errors against the library, and run. Files that commands write go to a directory of their own: build/ in a command is BUILD.
+"""
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```", re.M | re.S)
+ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
+
+
+class Page:
+    def __init__(self, path, build, scratch):
+        self.path, self.build, self.scratch, self.failed = path, build, scratch, False
+
+    def report(self, what, problem):
+        self.failed = self.failed or bool(problem)
+        what = f"{self.path.name}: {what}"
+        print(f"not ok {what}\n{problem}" if problem else f"ok {what}")
+
+    def run(self, command):
+        """Exit status and output of a shell command, in the checkout; what it writes by a bare file name lands in scratch."""
+        env = dict(os.environ, PATH=f"{self.build}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
+        done = subprocess.run(["bash", "-c", command], cwd=self.scratch, env=env, text=True, timeout=300,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        return done.returncode, done.stdout
+
+    def console(self, text):
+        for part in re.split(r"^\$ ", text, flags=re.M)[1:]:
+            command, _, shown = part.partition("\n")
+            while command.endswith("\\"):
+                more, _, shown = shown.partition("\n")
+                command = command[:-1] + re.sub(r"^> ", "", more)
+            _, printed = self.run(command)
+            pattern = re.escape(shown.strip()).replace(r"\.\.\.", ".*?")
+            fine = re.fullmatch(pattern, re.sub(r"[ \t]+$", "", printed, flags=re.M).strip(), re.S)
+            self.report(f"$ {command}", None if fine else f"shown:\n{shown}printed:\n{printed}")
+
+    def shell(self, text):
+        for command in re.sub(r"\\\n\s*", "", text).splitlines():
+            command = re.sub(r"\s+#.*", "", command).strip()
+            if not command or command.startswith("#") or ELSEWHERE.match(command):
+                continue
+            target = re.match(r"make( [a-z]+)?", command)
+            if target:
+                self.report(command, self.no_target((target[1] or " all").strip()))
+            else:
+                status, printed = self.run(command)
+                self.report(command, f"exit status {status}\n{printed}" if status else None)
+
+    def no_target(self, name):
+        helped = re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.M)
+        return None if name in helped else f"make has no target {name} with a line of help"
+
+    def program(self, text):
+        if "main(" not in text:
+            return
+        source = self.scratch / "snippet.c"
+        source.write_text(text)
+        status, printed = self.run(f"gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I{ROOT}/include snippet.c "
+                                   f"{self.build}/libtdsp.a -lm -o snippet && ./snippet")
+        self.report(f"program that begins {text.splitlines()[0]}", f"exit status {status}\n{printed}" if status else None)
+
+    def check(self):
+        kinds = {"console": self.console, "sh": self.shell, "c": self.program}
+        for kind, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
+            kinds.get(kind, lambda _: None)(text)
+        return self.failed
+
+
+def main():
+    build = pathlib.Path(sys.argv[1]).resolve()
+    failed = False
+    for page in sys.argv[2:]:
+        with tempfile.TemporaryDirectory() as name:
+            scratch = pathlib.Path(name)
+            # The checkout as seen from its top, where nothing that a page writes can stay behind.
+            for entry in ("examples", "include", "docs"):
+                if (ROOT / entry).exists():
+                    (scratch / entry).symlink_to(ROOT / entry)
+            (scratch / "build").mkdir()
+            for entry in build.iterdir():
+                if entry.is_file():
+                    (scratch / "build" / entry.name).symlink_to(entry)
+            failed |= Page(pathlib.Path(page).resolve(), build, scratch).check()
+    return int(failed)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

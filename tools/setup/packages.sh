@@ -1,0 +1,87 @@
+#!/bin/bash
+# Install the Debian packages that building, showing or testing needs, and only those that are missing.
+#   packages.sh demo     what the library and the command need
+#   packages.sh check    that, and what the tests need
+# Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
+# from elsewhere is left alone, and so is a system without apt.
+set -euo pipefail
+
+tier=${1:-}
+case $tier in demo | check) ;; *) echo "usage: packages.sh demo|check" >&2; exit 2 ;; esac
+
+missing=()
+has_command() { command -v "$1" >/dev/null 2>&1; }
+# The compiler may be there without the C library's headers, and clang without its runtimes, so each compiles something.
+compiles() {
+    local compiler=$1 source=$2 dir status=0
+    shift 2
+    has_command "$compiler" || return 1
+    dir=$(mktemp -d)
+    "$compiler" "$@" -x "$source" - -o "$dir/a.out" >/dev/null 2>&1 || status=1
+    rm -rf "$dir"
+    return $status
+}
+need() {
+    local package=$1
+    shift
+    "$@" || missing+=("$package")
+}
+c_program() { echo '#include <math.h>
+#include <stdio.h>
+int main(void) { return printf("") != 0; }'; }
+fuzz_program() { echo '#include <stddef.h>
+int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size);
+int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size) { return data && size > 9; }'; }
+has_gcc() { c_program | compiles gcc c; }
+has_gxx() { c_program | compiles g++ c++; }
+has_clang() { c_program | compiles clang-19 c; }
+has_sanitizers() { fuzz_program | compiles clang-19 c -fsanitize=fuzzer,address,undefined; }
+has_library() { has_command pkg-config && pkg-config --exists "$1"; }
+# Asked for by name where it can be: trying to compile reports the header whatever its version.
+has_cmocka() { has_library cmocka; }
+has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
+
+need gcc has_gcc
+need libc6-dev has_gcc
+need make has_command make
+need pkg-config has_command pkg-config
+need libglib2.0-dev has_library gio-2.0
+need libjson-glib-dev has_library json-glib-1.0
+need libcairo2-dev has_library cairo
+if [ "$tier" = check ]; then
+    need libcmocka-dev has_cmocka
+    need g++ has_gxx
+    need clang-19 has_clang
+    need libclang-rt-19-dev has_sanitizers
+    need llvm-19 has_command llvm-symbolizer-19
+    need python3 has_python
+    need binutils has_command nm
+    need diffutils has_command cmp
+    need bsdextrautils has_command column
+fi
+
+[ ${#missing[@]} -eq 0 ] && exit 0
+
+if ! has_command apt-get; then
+    echo "packages: these are missing, and there is no apt-get here to install them: ${missing[*]}" >&2
+    exit 1
+fi
+sudo=()
+if [ "$(id -u)" -ne 0 ]; then
+    if ! has_command sudo; then
+        echo "packages: missing: ${missing[*]}" >&2
+        echo "packages: run as root: apt-get install --no-install-recommends ${missing[*]}" >&2
+        exit 1
+    fi
+    sudo=(sudo)
+fi
+echo "packages: installing ${missing[*]}"
+install() { "${sudo[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -q --no-install-recommends "${missing[@]}"; }
+log=$(mktemp)
+trap 'rm -f "$log"' EXIT
+# The lists of a fresh system are empty, those of an old one stale: fetch them, then try.
+if ! { "${sudo[@]}" apt-get update -q && install; } >"$log" 2>&1; then
+    cat "$log" >&2
+    echo "packages: apt-get could not install: ${missing[*]}" >&2
+    exit 1
+fi

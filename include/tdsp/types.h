@@ -36,7 +36,8 @@ typedef struct tdsp_disc {
 #define TDSP_NO_DISC 0xffffffffu
 
 /**
- * One leg of a path: the robot's motion over [start_time, end_time].
+ * One leg of a path: the robot's motion over [start_time, end_time]. The first leg of a path starts at its departure, each other
+ * exactly when, and up to rounding where, the one before ends.
  *
  * A line is uniform motion from `from` to `to`. On an arc the robot is, at the share x in [0, 1] of the leg's
  * duration, at distance r = radius_from + (radius_to - radius_from) x from `center`, in the direction

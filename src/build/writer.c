@@ -1,0 +1,349 @@
+/*
+ * Rows are collected as they come and laid out at the end, when the counts are known: the sections of docs/format.md one
+ * behind the other, then the header with both checksums. See writer.h for the invariant.
+ *
+ * Where every leg starts at the place where the one before ends, a joint is one waypoint, else (for the whole table) two.
+ */
+#include "build/writer.h"
+
+#include <math.h>
+
+#include "base/bytes.h"
+#include "base/hash.h"
+#include "base/round.h"
+#include "base/sizes.h"
+#include "scene/allocator.h"
+#include "table/format.h"
+#include "tdsp/table.h"
+
+typedef struct writer_kept {
+    double departure;
+    double left;
+    double right;
+    size_t leg_end;  /* the row's legs end here; they start where those of the row before end */
+    size_t byte_end; /* likewise */
+} writer_kept;
+
+struct writer {
+    tdsp_allocator allocator;
+    writer_kept *rows;
+    size_t row_count, row_capacity;
+    tdsp_leg *legs;
+    size_t leg_count, leg_capacity;
+    unsigned char *bytes;
+    size_t byte_count, byte_capacity;
+    uint64_t arc_count;
+    uint64_t path_count; /* rows with legs */
+    uint32_t joint;
+};
+
+tdsp_status writer_create(const tdsp_allocator *allocator, writer **out)
+{
+    tdsp_allocator keep = memory_allocator(allocator);
+    writer *w = memory_resize(&keep, NULL, 0, sizeof *w);
+    if (!w) return TDSP_NO_MEMORY;
+    memset(w, 0, sizeof *w);
+    w->allocator = keep;
+    w->joint = 1;
+    *out = w;
+    return TDSP_OK;
+}
+
+void writer_free(writer *w)
+{
+    if (!w) return;
+    tdsp_allocator allocator = w->allocator;
+    memory_free(&allocator, w->rows, w->row_capacity * sizeof *w->rows);
+    memory_free(&allocator, w->legs, w->leg_capacity * sizeof *w->legs);
+    memory_free(&allocator, w->bytes, w->byte_capacity);
+    memory_free(&allocator, w, sizeof *w);
+}
+
+/* ------------------------------------------------------------------------------------------------------ adding rows */
+
+static int writer_line_is_bare(const tdsp_leg *leg)
+{
+    return leg->disc == TDSP_NO_DISC && leg->turn == 0 && leg->center.x == 0 && leg->center.y == 0 && leg->radius_from == 0 &&
+           leg->radius_to == 0 && leg->angle_from == 0 && leg->sweep == 0;
+}
+
+static int writer_leg_is_finite(const tdsp_leg *leg)
+{
+    const double numbers[] = {leg->start_time, leg->end_time,  leg->from.x,      leg->from.y,    leg->to.x,       leg->to.y,
+                              leg->center.x,   leg->center.y,  leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        if (!round_is_finite(numbers[i])) return 0;
+    }
+    return 1;
+}
+
+static int writer_leg_is_good(const tdsp_leg *leg)
+{
+    if (leg->reserved != 0 || !writer_leg_is_finite(leg) || !(leg->start_time <= leg->end_time)) return 0;
+    if (leg->kind == TDSP_LEG_LINE) return writer_line_is_bare(leg);
+    return leg->kind == TDSP_LEG_ARC && (leg->turn == 1 || leg->turn == -1) && leg->sweep >= 0 && leg->radius_from > 0 &&
+           leg->radius_to > 0;
+}
+
+static int writer_path_is_good(const writer_row *row)
+{
+    for (size_t i = 0; i < row->leg_count; i++) {
+        double begins = i == 0 ? row->departure : row->legs[i - 1].end_time;
+        if (!writer_leg_is_good(&row->legs[i]) || row->legs[i].start_time != begins) return 0;
+    }
+    if (row->leg_count == 0) return 1;
+    return row->legs[row->leg_count - 1].end_time <= round_add_up(row->departure, row->left);
+}
+
+static uint32_t writer_row_joint(const writer_row *row)
+{
+    for (size_t i = 1; i < row->leg_count; i++) {
+        tdsp_point end = row->legs[i - 1].to;
+        tdsp_point start = row->legs[i].from;
+        if (end.x != start.x || end.y != start.y) return 2;
+    }
+    return 1;
+}
+
+static tdsp_status writer_make_room(writer *w, const writer_row *row)
+{
+    void *rows = w->rows;
+    void *legs = w->legs;
+    void *bytes = w->bytes;
+    if (row->leg_count > SIZE_MAX - w->leg_count || row->byte_count > SIZE_MAX - w->byte_count) return TDSP_NO_MEMORY;
+    tdsp_status status = memory_reserve(&w->allocator, &rows, &w->row_capacity, w->row_count + 1, sizeof *w->rows);
+    w->rows = rows;
+    if (status != TDSP_OK) return status;
+    status = memory_reserve(&w->allocator, &legs, &w->leg_capacity, w->leg_count + row->leg_count, sizeof *w->legs);
+    w->legs = legs;
+    if (status != TDSP_OK) return status;
+    status = memory_reserve(&w->allocator, &bytes, &w->byte_capacity, w->byte_count + row->byte_count, 1);
+    w->bytes = bytes;
+    return status;
+}
+
+static void writer_append(writer *w, const writer_row *row)
+{
+    if (row->leg_count > 0) memcpy(w->legs + w->leg_count, row->legs, row->leg_count * sizeof *w->legs);
+    if (row->byte_count > 0) memcpy(w->bytes + w->byte_count, row->bytes, row->byte_count);
+    w->leg_count += row->leg_count;
+    w->byte_count += row->byte_count;
+    for (size_t i = 0; i < row->leg_count; i++) w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
+    if (row->leg_count > 0) w->path_count++;
+    if (writer_row_joint(row) == 2) w->joint = 2;
+    writer_kept kept = {row->departure, row->left, row->right, w->leg_count, w->byte_count};
+    w->rows[w->row_count++] = kept;
+}
+
+tdsp_status writer_add(writer *w, const writer_row *row)
+{
+    if (!w || !row || (!row->legs && row->leg_count > 0) || (!row->bytes && row->byte_count > 0)) return TDSP_INVALID_ARGUMENT;
+    if (row->byte_count > FORMAT_MAX_ROW_BYTES) return TDSP_INVALID_ARGUMENT;
+    if (w->row_count == TDSP_MAX_ROWS) return TDSP_TOO_MANY_ROWS;
+    if (!writer_path_is_good(row)) return TDSP_BAD_PATH;
+    tdsp_status status = writer_make_room(w, row);
+    if (status != TDSP_OK) return status;
+    writer_append(w, row);
+    return TDSP_OK;
+}
+
+/* ------------------------------------------------------------------------------------------------------- laying out */
+
+typedef struct writer_layout {
+    uint64_t waypoints;
+    uint64_t offsets[FORMAT_SECTIONS];
+    uint64_t length;
+} writer_layout;
+
+/* Waypoints and arcs are numbered by 32 bits, of which the last number means none. */
+static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
+{
+    uint64_t legs = w->leg_count;
+    out->waypoints = w->joint == 1 ? legs + w->path_count : 2 * legs;
+    if (out->waypoints >= FORMAT_NONE || w->arc_count >= FORMAT_NONE) return TDSP_NOT_SUPPORTED;
+    uint64_t rows = w->row_count;
+    uint64_t sizes[FORMAT_SECTIONS];
+    sizes[FORMAT_DEPARTURES] = sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = 8 * rows;
+    sizes[FORMAT_FIRST_WAYPOINT] = legs > 0 ? 4 * (rows + 1) : 0;
+    sizes[FORMAT_WAYPOINTS] = FORMAT_WAYPOINT_SIZE * out->waypoints;
+    sizes[FORMAT_ARCS] = FORMAT_ARC_SIZE * w->arc_count;
+    sizes[FORMAT_FIRST_BYTE] = w->byte_count > 0 ? 8 * (rows + 1) : 0;
+    sizes[FORMAT_OPAQUE] = w->byte_count;
+    out->length = FORMAT_HEADER_LENGTH;
+    for (size_t i = 0; i < FORMAT_SECTIONS; i++) {
+        out->offsets[i] = out->length;
+        if (!sizes_add(out->length, sizes[i], &out->length) || !sizes_align8(out->length, &out->length)) return TDSP_NO_MEMORY;
+    }
+    return out->length <= SIZE_MAX ? TDSP_OK : TDSP_NO_MEMORY;
+}
+
+static void writer_put_point(unsigned char *p, tdsp_point point)
+{
+    bytes_put_f64(p, point.x);
+    bytes_put_f64(p + 8, point.y);
+}
+
+static void writer_put_waypoint(unsigned char *p, double time, tdsp_point place, uint32_t disc, uint32_t arc)
+{
+    bytes_put_f64(p + FORMAT_WAYPOINT_AT_TIME, time);
+    writer_put_point(p + FORMAT_WAYPOINT_AT_X, place);
+    bytes_put_u32(p + FORMAT_WAYPOINT_AT_DISC, disc);
+    bytes_put_u32(p + FORMAT_WAYPOINT_AT_ARC, arc);
+}
+
+static void writer_put_arc(unsigned char *p, const tdsp_leg *leg)
+{
+    writer_put_point(p + FORMAT_ARC_AT_CENTER, leg->center);
+    bytes_put_f64(p + FORMAT_ARC_AT_RADIUS_FROM, leg->radius_from);
+    bytes_put_f64(p + FORMAT_ARC_AT_RADIUS_TO, leg->radius_to);
+    bytes_put_f64(p + FORMAT_ARC_AT_ANGLE_FROM, leg->angle_from);
+    bytes_put_f64(p + FORMAT_ARC_AT_TURNED, copysign(leg->sweep, leg->turn));
+}
+
+/* Where the next waypoint and arc go. */
+typedef struct writer_cursor {
+    unsigned char *waypoint;
+    unsigned char *arcs;
+    uint32_t waypoints;
+    uint32_t arc_count;
+} writer_cursor;
+
+static void writer_put_next(writer_cursor *at, double time, tdsp_point place, uint32_t disc, uint32_t arc)
+{
+    writer_put_waypoint(at->waypoint, time, place, disc, arc);
+    at->waypoint += FORMAT_WAYPOINT_SIZE;
+    at->waypoints++;
+}
+
+static void writer_put_leg(writer_cursor *at, const tdsp_leg *leg, int with_end)
+{
+    uint32_t arc = FORMAT_NONE;
+    if (leg->kind == TDSP_LEG_ARC) {
+        arc = at->arc_count++;
+        writer_put_arc(at->arcs + (size_t)FORMAT_ARC_SIZE * arc, leg);
+    }
+    writer_put_next(at, leg->start_time, leg->from, leg->disc, arc);
+    if (with_end) writer_put_next(at, leg->end_time, leg->to, FORMAT_NONE, FORMAT_NONE);
+}
+
+static void writer_put_paths(const writer *w, const writer_layout *layout, unsigned char *bytes)
+{
+    writer_cursor at = {bytes + layout->offsets[FORMAT_WAYPOINTS], bytes + layout->offsets[FORMAT_ARCS], 0, 0};
+    size_t leg = 0;
+    if (w->leg_count == 0) return;
+    for (size_t row = 0; row < w->row_count; row++) {
+        for (; leg < w->rows[row].leg_end; leg++) {
+            writer_put_leg(&at, &w->legs[leg], w->joint == 2 || leg + 1 == w->rows[row].leg_end);
+        }
+        bytes_put_u32(bytes + layout->offsets[FORMAT_FIRST_WAYPOINT] + 4 * (row + 1), at.waypoints);
+    }
+}
+
+static void writer_put_rows(const writer *w, const writer_layout *layout, unsigned char *bytes)
+{
+    for (size_t row = 0; row < w->row_count; row++) {
+        bytes_put_f64(bytes + layout->offsets[FORMAT_DEPARTURES] + 8 * row, w->rows[row].departure);
+        bytes_put_f64(bytes + layout->offsets[FORMAT_LEFT] + 8 * row, w->rows[row].left);
+        bytes_put_f64(bytes + layout->offsets[FORMAT_RIGHT] + 8 * row, w->rows[row].right);
+        if (w->byte_count > 0) bytes_put_u64(bytes + layout->offsets[FORMAT_FIRST_BYTE] + 8 * (row + 1), w->rows[row].byte_end);
+    }
+    if (w->byte_count > 0) memcpy(bytes + layout->offsets[FORMAT_OPAQUE], w->bytes, w->byte_count);
+}
+
+/* ------------------------------------------------------------------------------------------------------- the header */
+
+static tdsp_status writer_put_unit(unsigned char *p, const char *unit)
+{
+    size_t length = unit ? strlen(unit) : 0;
+    if (length >= FORMAT_UNIT_SIZE) return TDSP_INVALID_ARGUMENT;
+    if (length > 0) memcpy(p, unit, length);
+    return TDSP_OK;
+}
+
+static tdsp_status writer_put_world(const tdsp_build_world *world, unsigned char *bytes)
+{
+    bytes_put_u64(bytes + FORMAT_AT_SCENE_HASH, world->scene_hash);
+    bytes_put_f64(bytes + FORMAT_AT_SPEED, world->speed);
+    writer_put_point(bytes + FORMAT_AT_SOURCE, world->source);
+    writer_put_point(bytes + FORMAT_AT_DESTINATION, world->destination);
+    tdsp_status status = writer_put_unit(bytes + FORMAT_AT_LENGTH_UNIT, world->length_unit);
+    return status != TDSP_OK ? status : writer_put_unit(bytes + FORMAT_AT_TIME_UNIT, world->time_unit);
+}
+
+static void writer_put_promises(const writer_header *header, unsigned char *bytes)
+{
+    bytes_put_u32(bytes + FORMAT_AT_MONOTONE, (uint32_t)header->monotone);
+    bytes_put_u32(bytes + FORMAT_AT_GUARANTEE, (uint32_t)header->guarantee);
+    bytes_put_u32(bytes + FORMAT_AT_SAMPLING, (uint32_t)header->sampling);
+    bytes_put_u32(bytes + FORMAT_AT_LAST_REASON, (uint32_t)header->last_reason);
+    bytes_put_f64(bytes + FORMAT_AT_EPSILON, header->epsilon);
+    bytes_put_f64(bytes + FORMAT_AT_DELTA, header->delta);
+    bytes_put_f64(bytes + FORMAT_AT_ERROR, header->error);
+    bytes_put_f64(bytes + FORMAT_AT_TIME_SCALE, header->time_scale);
+    bytes_put_f64(bytes + FORMAT_AT_FIRST_LOWER, header->first_lower);
+}
+
+static void writer_put_counts(const writer *w, const writer_layout *layout, unsigned char *bytes)
+{
+    memcpy(bytes, FORMAT_MAGIC, FORMAT_MAGIC_LENGTH);
+    bytes_put_u16(bytes + FORMAT_AT_MAJOR, FORMAT_MAJOR);
+    bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR);
+    bytes_put_u32(bytes + FORMAT_AT_HEADER_LENGTH, FORMAT_HEADER_LENGTH);
+    bytes_put_u64(bytes + FORMAT_AT_LENGTH, layout->length);
+    bytes_put_f64(bytes + FORMAT_AT_FIRST_DEPARTURE, w->rows[0].departure);
+    bytes_put_f64(bytes + FORMAT_AT_LAST_DEPARTURE, w->rows[w->row_count - 1].departure);
+    bytes_put_u64(bytes + FORMAT_AT_ROWS, w->row_count);
+    bytes_put_u64(bytes + FORMAT_AT_LEGS, w->leg_count);
+    bytes_put_u64(bytes + FORMAT_AT_WAYPOINTS, layout->waypoints);
+    bytes_put_u64(bytes + FORMAT_AT_ARCS, w->arc_count);
+    bytes_put_u64(bytes + FORMAT_AT_OPAQUE_LENGTH, w->byte_count);
+    for (size_t i = 0; i < FORMAT_SECTIONS; i++) bytes_put_u64(bytes + FORMAT_AT_OFFSETS + 8 * i, layout->offsets[i]);
+    bytes_put_u32(bytes + FORMAT_AT_JOINT, w->joint);
+}
+
+/* The header's checksum covers the body's, so the body's is first. */
+static void writer_seal(unsigned char *bytes, size_t length)
+{
+    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes + FORMAT_HEADER_LENGTH, length - FORMAT_HEADER_LENGTH));
+    uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, FORMAT_HEADER_LENGTH - FORMAT_AFTER_HEADER_CRC);
+    bytes_put_u32(bytes + FORMAT_AT_HEADER_CRC, crc);
+}
+
+static tdsp_status writer_fill(const writer *w, const writer_header *header, const writer_layout *layout, unsigned char *bytes)
+{
+    tdsp_table check;
+    memset(bytes, 0, (size_t)layout->length);
+    writer_put_counts(w, layout, bytes);
+    writer_put_promises(header, bytes);
+    tdsp_status status = writer_put_world(&header->world, bytes);
+    if (status != TDSP_OK) return status;
+    writer_put_rows(w, layout, bytes);
+    writer_put_paths(w, layout, bytes);
+    writer_seal(bytes, (size_t)layout->length);
+    return tdsp_table_open(&check, bytes, (size_t)layout->length);
+}
+
+tdsp_status writer_finish(const writer *w, const writer_header *header, void **bytes, size_t *length)
+{
+    writer_layout layout;
+    if (!w || !header || !bytes || !length || w->row_count == 0) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = writer_lay_out(w, &layout);
+    if (status != TDSP_OK) return status;
+    unsigned char *made = memory_resize(&w->allocator, NULL, 0, (size_t)layout.length);
+    if (!made) return TDSP_NO_MEMORY;
+    status = writer_fill(w, header, &layout, made);
+    if (status != TDSP_OK) {
+        memory_free(&w->allocator, made, (size_t)layout.length);
+        return status;
+    }
+    *bytes = made;
+    *length = (size_t)layout.length;
+    return TDSP_OK;
+}
+
+void tdsp_bytes_free(const tdsp_allocator *allocator, void *bytes, size_t length)
+{
+    tdsp_allocator from = memory_allocator(allocator);
+    memory_free(&from, bytes, length);
+}

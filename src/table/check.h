@@ -1,0 +1,13 @@
+/* What must hold between the numbers of a table whose sections are known to lie inside its bytes. */
+#ifndef TABLE_CHECK_H
+#define TABLE_CHECK_H
+
+#include "tdsp/table.h"
+
+/* Each: 1 when it holds, else 0. `bytes` of the table at least a header. */
+int check_header(const tdsp_table *table);
+int check_rows(const tdsp_table *table);
+int check_paths(const tdsp_table *table);
+int check_opaque(const tdsp_table *table);
+
+#endif

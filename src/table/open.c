@@ -1,0 +1,118 @@
+/*
+ * Opening a table: everything is checked once, from the outside in, so that each check may rely on the ones before.
+ *
+ *   magic, major version, lengths -> checksums -> sections inside the bytes -> header values -> rows -> paths, opaque bytes
+ */
+#include "base/bytes.h"
+#include "base/hash.h"
+#include "base/sizes.h"
+#include "table/check.h"
+#include "table/format.h"
+#include "tdsp/table.h"
+
+static tdsp_status open_lengths(const unsigned char *bytes, size_t length)
+{
+    if (length < FORMAT_MAGIC_LENGTH || memcmp(bytes, FORMAT_MAGIC, FORMAT_MAGIC_LENGTH) != 0) return TDSP_BAD_MAGIC;
+    if (length < FORMAT_AT_HEADER_LENGTH) return TDSP_BAD_LENGTH;
+    if (bytes_get_u16(bytes + FORMAT_AT_MAJOR) != FORMAT_MAJOR) return TDSP_BAD_VERSION;
+    if (length < FORMAT_HEADER_LENGTH || bytes_get_u64(bytes + FORMAT_AT_LENGTH) != length) return TDSP_BAD_LENGTH;
+    uint32_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
+    int exact = bytes_get_u16(bytes + FORMAT_AT_MINOR) == FORMAT_MINOR;
+    if (exact ? header != FORMAT_HEADER_LENGTH : header < FORMAT_HEADER_LENGTH) return TDSP_BAD_TABLE;
+    return header % 8 == 0 && header <= length ? TDSP_OK : TDSP_BAD_TABLE;
+}
+
+static tdsp_status open_checksums(const unsigned char *bytes, size_t length)
+{
+    size_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
+    uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, header - FORMAT_AFTER_HEADER_CRC);
+    if (crc != bytes_get_u32(bytes + FORMAT_AT_HEADER_CRC)) return TDSP_BAD_CHECKSUM;
+    crc = hash_crc32c(0, bytes + header, length - header);
+    return crc == bytes_get_u32(bytes + FORMAT_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
+}
+
+/* Sizes of the sections; the optional ones are empty when there is nothing to index. 0 on overflow. */
+static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS])
+{
+    uint64_t bounds;
+    if (table->rows == 0 || !sizes_add(table->rows, 1, &bounds)) return 0;
+    if (!sizes_multiply(table->rows, 8, &sizes[FORMAT_DEPARTURES])) return 0;
+    sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = sizes[FORMAT_DEPARTURES];
+    if (!sizes_multiply(table->waypoint_count > 0 ? bounds : 0, 4, &sizes[FORMAT_FIRST_WAYPOINT])) return 0;
+    if (!sizes_multiply(table->waypoint_count, FORMAT_WAYPOINT_SIZE, &sizes[FORMAT_WAYPOINTS])) return 0;
+    if (!sizes_multiply(table->arc_count, FORMAT_ARC_SIZE, &sizes[FORMAT_ARCS])) return 0;
+    if (!sizes_multiply(table->opaque_length > 0 ? bounds : 0, 8, &sizes[FORMAT_FIRST_BYTE])) return 0;
+    sizes[FORMAT_OPAQUE] = table->opaque_length;
+    return 1;
+}
+
+static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint64_t to)
+{
+    for (uint64_t i = from; i < to; i++) {
+        if (bytes[i] != 0) return 0;
+    }
+    return 1;
+}
+
+/*
+ * The sections one after the other, without gaps in version 1.0; a later minor version may put something between or behind
+ * them. On success offsets holds where each starts, and all of them end inside the bytes.
+ */
+static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS])
+{
+    uint64_t sizes[FORMAT_SECTIONS];
+    uint64_t cursor = bytes_get_u32(table->bytes + FORMAT_AT_HEADER_LENGTH);
+    int exact = bytes_get_u16(table->bytes + FORMAT_AT_MINOR) == FORMAT_MINOR;
+    if (!open_sizes(table, sizes)) return 0;
+    for (size_t i = 0; i < FORMAT_SECTIONS; i++) {
+        uint64_t end;
+        offsets[i] = bytes_get_u64(table->bytes + FORMAT_AT_OFFSETS + 8 * i);
+        if (exact ? offsets[i] != cursor : offsets[i] < cursor || offsets[i] % 8 != 0) return 0;
+        if (!sizes_add(offsets[i], sizes[i], &end) || !sizes_align8(end, &cursor) || cursor > table->length) return 0;
+        if (!open_padding_is_zero(table->bytes, end, cursor)) return 0;
+    }
+    return !exact || cursor == table->length;
+}
+
+static tdsp_table open_view(const unsigned char *bytes, size_t length)
+{
+    tdsp_table table = {0};
+    table.bytes = bytes;
+    table.length = length;
+    table.rows = bytes_get_u64(bytes + FORMAT_AT_ROWS);
+    table.waypoint_count = bytes_get_u64(bytes + FORMAT_AT_WAYPOINTS);
+    table.arc_count = bytes_get_u64(bytes + FORMAT_AT_ARCS);
+    table.opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
+    table.monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
+    table.joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
+    return table;
+}
+
+static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS])
+{
+    table->departures = offsets[FORMAT_DEPARTURES];
+    table->left = offsets[FORMAT_LEFT];
+    table->right = offsets[FORMAT_RIGHT];
+    table->first_waypoint = offsets[FORMAT_FIRST_WAYPOINT];
+    table->waypoints = offsets[FORMAT_WAYPOINTS];
+    table->arcs = offsets[FORMAT_ARCS];
+    table->first_byte = offsets[FORMAT_FIRST_BYTE];
+    table->opaque = offsets[FORMAT_OPAQUE];
+}
+
+tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
+{
+    if (!table || !bytes) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = open_lengths(bytes, length);
+    if (status == TDSP_OK) status = open_checksums(bytes, length);
+    if (status != TDSP_OK) return status;
+
+    tdsp_table view = open_view(bytes, length);
+    uint64_t offsets[FORMAT_SECTIONS];
+    if (!open_sections(&view, offsets)) return TDSP_BAD_TABLE;
+    open_place(&view, offsets);
+    if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;
+    *table = view;
+    return TDSP_OK;
+}

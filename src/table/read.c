@@ -1,0 +1,70 @@
+/* Waypoints and arcs put together to legs. With one waypoint at a joint leg k goes from waypoint k to k + 1, with two from 2k to 2k + 1. */
+#include "table/read.h"
+
+#include <math.h>
+
+/* A reason that opening refuses can stand here only when the bytes changed since. */
+tdsp_status table_last_reason(const tdsp_table *table)
+{
+    uint32_t stored = table_header_u32(table, FORMAT_AT_LAST_REASON);
+    return stored > TDSP_OK && stored <= TDSP_UNREACHABLE ? (tdsp_status)stored : TDSP_OUTSIDE_TABLE;
+}
+
+table_path table_row_path(const tdsp_table *table, uint64_t row)
+{
+    table_path path = {0, 0};
+    if (table->waypoint_count == 0) return path;
+    const unsigned char *p = table->bytes + table->first_waypoint + 4 * row;
+    uint64_t first = bytes_get_u32(p);
+    uint64_t end = bytes_get_u32(p + 4);
+    if (end > table->waypoint_count || end < first + 2) return path;
+    path.first = first;
+    path.legs = table->joint == 1 ? end - first - 1 : (end - first) / 2;
+    return path;
+}
+
+static const unsigned char *table_waypoint(const tdsp_table *table, uint64_t waypoint)
+{
+    return table->bytes + table->waypoints + FORMAT_WAYPOINT_SIZE * waypoint;
+}
+
+static tdsp_point table_point(const unsigned char *p)
+{
+    tdsp_point point = {bytes_get_f64(p), bytes_get_f64(p + 8)};
+    return point;
+}
+
+double table_path_time(const tdsp_table *table, table_path path, uint64_t leg)
+{
+    uint64_t waypoint = leg < path.legs ? leg * table->joint : (leg - 1) * table->joint + 1;
+    return bytes_get_f64(table_waypoint(table, path.first + waypoint) + FORMAT_WAYPOINT_AT_TIME);
+}
+
+static void table_add_arc(const tdsp_table *table, uint64_t arc, tdsp_leg *leg)
+{
+    const unsigned char *p = table->bytes + table->arcs + FORMAT_ARC_SIZE * arc;
+    double turned = bytes_get_f64(p + FORMAT_ARC_AT_TURNED);
+    leg->kind = TDSP_LEG_ARC;
+    leg->turn = signbit(turned) ? -1 : 1;
+    leg->center = table_point(p + FORMAT_ARC_AT_CENTER);
+    leg->radius_from = bytes_get_f64(p + FORMAT_ARC_AT_RADIUS_FROM);
+    leg->radius_to = bytes_get_f64(p + FORMAT_ARC_AT_RADIUS_TO);
+    leg->angle_from = bytes_get_f64(p + FORMAT_ARC_AT_ANGLE_FROM);
+    leg->sweep = fabs(turned);
+}
+
+tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg)
+{
+    const unsigned char *from = table_waypoint(table, path.first + leg * table->joint);
+    const unsigned char *to = from + FORMAT_WAYPOINT_SIZE;
+    tdsp_leg out = {0};
+    out.kind = TDSP_LEG_LINE;
+    out.disc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_DISC);
+    out.start_time = bytes_get_f64(from + FORMAT_WAYPOINT_AT_TIME);
+    out.end_time = bytes_get_f64(to + FORMAT_WAYPOINT_AT_TIME);
+    out.from = table_point(from + FORMAT_WAYPOINT_AT_X);
+    out.to = table_point(to + FORMAT_WAYPOINT_AT_X);
+    uint64_t arc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_ARC);
+    if (arc < table->arc_count) table_add_arc(table, arc, &out);
+    return out;
+}

@@ -1,0 +1,58 @@
+/*
+ * Bounded reads of an opened table.
+ *
+ * Rows are read without a check: the sections of fixed stride were measured against the length when the table was
+ * opened, and the caller's row is below table->rows. Indices that stand in the bytes themselves (first waypoint, arc, first
+ * byte) are checked at each use as well as at opening, so that no read leaves the buffer even when the bytes change
+ * afterwards, as a mapped file's can.
+ */
+#ifndef TABLE_READ_H
+#define TABLE_READ_H
+
+#include "base/bytes.h"
+#include "table/format.h"
+#include "tdsp/table.h"
+
+static inline double table_departure(const tdsp_table *table, uint64_t row)
+{
+    return bytes_get_f64(table->bytes + table->departures + 8 * row);
+}
+
+static inline double table_left(const tdsp_table *table, uint64_t row)
+{
+    return bytes_get_f64(table->bytes + table->left + 8 * row);
+}
+
+static inline double table_right(const tdsp_table *table, uint64_t row)
+{
+    return bytes_get_f64(table->bytes + table->right + 8 * row);
+}
+
+static inline double table_header_f64(const tdsp_table *table, size_t at)
+{
+    return bytes_get_f64(table->bytes + at);
+}
+
+static inline uint32_t table_header_u32(const tdsp_table *table, size_t at)
+{
+    return bytes_get_u32(table->bytes + at);
+}
+
+/* Why there is no answer after the last departure. */
+tdsp_status table_last_reason(const tdsp_table *table);
+
+/* The waypoints of a row's path, first to before end. */
+typedef struct table_path {
+    uint64_t first;
+    uint64_t legs; /* 0: no path */
+} table_path;
+
+table_path table_row_path(const tdsp_table *table, uint64_t row);
+
+/* The time at which leg `leg` of the path starts; leg == path.legs is the end of the last. */
+double table_path_time(const tdsp_table *table, table_path path, uint64_t leg);
+
+/* Leg `leg` < path.legs. */
+tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg);
+
+#endif

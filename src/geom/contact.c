@@ -1,0 +1,158 @@
+/* Who runs into whom: the equations are in contact.h and at ride_contact(). */
+#include "geom/contact.h"
+
+#include "geom/spiral.h"
+#include "geom/tolerance.h"
+
+/* Clearance at the length `at`, with the touch forgiven. */
+static double line_clearance(const geom_line *line, const geom_disc *disc, double at)
+{
+    tdsp_point offset = point_sub(point_along(line->from, at, line->heading), disc->center);
+    double distance = point_length(offset), radius = disc_radius(disc, line->start + at);
+    return distance - radius + GEOM_CONTACT * (distance + radius);
+}
+
+/* The length at which |x - O|^2 - R^2 is least, inside the motion. */
+static double line_vertex(const geom_line *line, const geom_disc *disc)
+{
+    tdsp_point offset = point_sub(line->from, disc->center);
+    double slope = point_dot(offset, line->heading) - disc_radius(disc, line->start) * disc->rate;
+    double bend = (1.0 - disc->rate) * (1.0 + disc->rate);
+    if (slope >= 0.0 || bend <= 0.0) return 0.0;
+    double vertex = -slope / bend;
+    return vertex < line->length ? vertex : line->length;
+}
+
+int line_blocked(const geom_line *line, const geom_disc *disc)
+{
+    if (!disc_ridable(disc) && line_clearance(line, disc, line->length) < 0.0) return 1;
+    return line_clearance(line, disc, line_vertex(line, disc)) < 0.0;
+}
+
+double line_first_contact(const geom_line *line, const geom_disc *disc)
+{
+    if (line_clearance(line, disc, 0.0) < 0.0) return 0.0;
+    double inside = line_vertex(line, disc);
+    if (line_clearance(line, disc, inside) >= 0.0) inside = line->length;
+    if (line_clearance(line, disc, inside) >= 0.0) return INFINITY;
+    double outside = 0.0; /* clearance crosses zero once on the way to the vertex, or to the end */
+    for (int step = 0; step < 60; ++step) {
+        double middle = 0.5 * (outside + inside);
+        if (line_clearance(line, disc, middle) < 0.0) {
+            inside = middle;
+        } else {
+            outside = middle;
+        }
+    }
+    return outside;
+}
+
+double ride_angle(const geom_ride *ride, double time)
+{
+    return ride->angle + ride->side * spiral_angle(ride->disc, ride->start, time);
+}
+
+tdsp_point ride_position(const geom_ride *ride, double time)
+{
+    return disc_boundary(ride->disc, ride_angle(ride, time), time);
+}
+
+/*
+ * Along a ride let z be the rider seen from the other disc's centre, u its heading. Then
+ *
+ *     F   = |z|^2 - R_k^2,    F' = 2 (z . u - R_k c_k),    F'' = 2 (1 - c_k^2) + 2 s sin(theta) / R  z . u_perp
+ *
+ * and |F'' - 2 (1 - c_k^2)| <= 2 sin(theta) |z| / R bounds F on an interval from either end. Intervals that cannot
+ * be decided are halved, first the earlier one: the first contact is found, and none is missed that is deeper than the
+ * smallest interval squared.
+ */
+typedef struct contact_state {
+    double time;
+    double value; /* F, with the touch forgiven */
+    double slope; /* F' */
+    double reach; /* |z| */
+} contact_state;
+
+static contact_state contact_at(const geom_ride *ride, const geom_disc *other, double time)
+{
+    double angle = ride_angle(ride, time);
+    tdsp_point offset = point_sub(disc_boundary(ride->disc, angle, time), other->center);
+    tdsp_point heading = point_unit(disc_heading(ride->disc, ride->side, angle));
+    double radius = disc_radius(other, time), distance = point_length(offset);
+    double touch = GEOM_CONTACT * (distance + radius);
+    double gap = distance - radius + touch;
+    contact_state state = {time, gap * (distance + radius), 2.0 * (point_dot(offset, heading) - radius * other->rate), distance};
+    return state;
+}
+
+/* The range of F'' between two states. */
+static void contact_bend(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b, double *least,
+                         double *most)
+{
+    double span = b.time - a.time;
+    double reach = (a.reach < b.reach ? a.reach : b.reach) + span;
+    double r0 = disc_radius(ride->disc, a.time), r1 = disc_radius(ride->disc, b.time);
+    double swing = 2.0 * ride->disc->sine * reach / (r0 < r1 ? r0 : r1);
+    double base = 2.0 * (1.0 - other->rate * other->rate);
+    *least = base - swing;
+    *most = base + swing;
+}
+
+/* Is F certainly positive all the way? A concave parabola from each end, each least at the ends of its half. */
+static int contact_free(contact_state a, contact_state b, double least)
+{
+    double half = 0.5 * (b.time - a.time);
+    double bend = 0.5 * (least < 0.0 ? least : 0.0) * half * half;
+    return a.value > 0.0 && a.value + a.slope * half + bend > 0.0 && b.value > 0.0 && b.value - b.slope * half + bend > 0.0;
+}
+
+/* F falls through zero once between a and b. */
+static double contact_solve(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b)
+{
+    for (int step = 0; step < 100; ++step) {
+        double middle = 0.5 * (a.time + b.time), newton = a.time - a.value / a.slope;
+        double time = newton > a.time && newton < b.time && step % 4 != 3 ? newton : middle;
+        if (time <= a.time || time >= b.time) break;
+        contact_state state = contact_at(ride, other, time);
+        if (state.value < 0.0) {
+            b = state;
+        } else {
+            if (time - a.time < 1e-15 * (fabs(time) + (b.time - a.time)) && step > 4) return time;
+            a = state;
+        }
+    }
+    return a.time;
+}
+
+#define CONTACT_DEPTH 48
+
+double ride_contact(const geom_ride *ride, const geom_disc *other)
+{
+    contact_state later[CONTACT_DEPTH + 2]; /* the ends of the intervals still to do, the next one on top */
+    double smallest = (ride->end - ride->start) * 1e-9;
+    int top = 0;
+    contact_state a = contact_at(ride, other, ride->start);
+    if (a.value < 0.0) return ride->start;
+    later[top++] = contact_at(ride, other, ride->end);
+    while (top > 0) {
+        contact_state b = later[top - 1];
+        double least, most;
+        contact_bend(ride, other, a, b, &least, &most);
+        if (contact_free(a, b, least)) {
+            a = b;
+            --top;
+            continue;
+        }
+        double span = b.time - a.time;
+        int falls = a.slope + (most > 0.0 ? most * span : 0.0) < 0.0;
+        if (b.value < 0.0 && falls) return contact_solve(ride, other, a, b);
+        if (span <= smallest || top > CONTACT_DEPTH) {
+            if (b.value < 0.0) return a.time;
+            a = b;
+            --top;
+            continue;
+        }
+        later[top++] = contact_at(ride, other, a.time + 0.5 * span);
+    }
+    return INFINITY;
+}

@@ -1,0 +1,72 @@
+/* Plane vectors by value. */
+#ifndef GEOM_POINT_H
+#define GEOM_POINT_H
+
+#include <math.h>
+
+#include "tdsp/types.h"
+
+#define GEOM_PI 3.14159265358979323846
+#define GEOM_TURN 6.28318530717958647693
+
+static inline tdsp_point point_make(double x, double y)
+{
+    tdsp_point p = {x, y};
+    return p;
+}
+
+static inline tdsp_point point_add(tdsp_point a, tdsp_point b)
+{
+    return point_make(a.x + b.x, a.y + b.y);
+}
+
+static inline tdsp_point point_sub(tdsp_point a, tdsp_point b)
+{
+    return point_make(a.x - b.x, a.y - b.y);
+}
+
+static inline tdsp_point point_scale(double k, tdsp_point a)
+{
+    return point_make(k * a.x, k * a.y);
+}
+
+/* p + k u */
+static inline tdsp_point point_along(tdsp_point p, double k, tdsp_point u)
+{
+    return point_make(p.x + k * u.x, p.y + k * u.y);
+}
+
+static inline double point_dot(tdsp_point a, tdsp_point b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+static inline double point_cross(tdsp_point a, tdsp_point b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+static inline double point_length(tdsp_point a)
+{
+    return sqrt(a.x * a.x + a.y * a.y);
+}
+
+static inline double point_distance(tdsp_point a, tdsp_point b)
+{
+    return point_length(point_sub(a, b));
+}
+
+/* The unit vector in a direction. */
+static inline tdsp_point point_unit(double angle)
+{
+    return point_make(cos(angle), sin(angle));
+}
+
+/* An angle's value in [0, 2 pi). */
+static inline double angle_positive(double angle)
+{
+    double turned = angle - GEOM_TURN * floor(angle / GEOM_TURN);
+    return turned < GEOM_TURN ? turned : 0.0;
+}
+
+#endif

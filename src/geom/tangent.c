@@ -1,0 +1,228 @@
+/* Straight legs between two moving boundaries: the equations are in tangent.h. */
+#include "geom/tangent.h"
+
+#include "geom/spiral.h"
+#include "geom/tolerance.h"
+
+/* Discs whose centres are closer than this share of their radii count as concentric. */
+#define CONCENTRIC 1e-15
+
+geom_pair pair_make(const geom_disc *from, const geom_disc *to)
+{
+    tdsp_point between = point_sub(to->center, from->center);
+    geom_pair pair = {from, to, point_length(between), atan2(between.y, between.x)};
+    return pair;
+}
+
+geom_tangent tangent_make(const geom_pair *pair, int side, int to_side, int root)
+{
+    const geom_disc *i = pair->from, *j = pair->to;
+    geom_tangent tangent = {i, j, side, to_side, root, pair->distance, pair->bearing, 0.0, 0.0};
+    tangent.cos_alpha = i->rate * j->rate + side * to_side * i->sine * j->sine;
+    tangent.sin_alpha = side * i->sine * j->rate - to_side * i->rate * j->sine;
+    if (side == to_side && i->rate == j->rate) {
+        tangent.cos_alpha = 1.0;
+        tangent.sin_alpha = 0.0;
+    }
+    return tangent;
+}
+
+static double tangent_k(const geom_tangent *tangent, double time)
+{
+    return disc_radius(tangent->from, time) * tangent->cos_alpha - disc_radius(tangent->to, time);
+}
+
+static double tangent_w(const geom_tangent *tangent, double time)
+{
+    return -tangent->to_side * disc_radius(tangent->from, time) * tangent->sin_alpha;
+}
+
+/* sqrt(|D|^2 - K^2) */
+static double tangent_reach(const geom_tangent *tangent, double k)
+{
+    double squared = (tangent->distance - k) * (tangent->distance + k);
+    return squared > 0.0 ? sqrt(squared) : 0.0;
+}
+
+int tangent_possible(const geom_tangent *tangent)
+{
+    return tangent->root > 0 || tangent->to_side * tangent->sin_alpha > 0.0;
+}
+
+double tangent_heading(const geom_tangent *tangent, double time)
+{
+    double k = tangent_k(tangent, time);
+    double fan = atan2(tangent_reach(tangent, k), k); /* acos(k / |D|) */
+    return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * fan);
+}
+
+double tangent_length(const geom_tangent *tangent, double time)
+{
+    double k = tangent_k(tangent, time);
+    double length = (tangent->root * tangent_reach(tangent, k) - tangent_w(tangent, time)) / tangent->to->sine;
+    return length > 0.0 ? length : 0.0;
+}
+
+/* The times between t0 and t1 at which |K| <= |D|: *lo > *hi where there are none. */
+static void domain_of_k(const geom_tangent *tangent, double t0, double t1, double *lo, double *hi)
+{
+    double limit = tangent->distance * (1.0 + GEOM_DOMAIN);
+    double k0 = tangent_k(tangent, t0);
+    double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    *lo = t0;
+    *hi = t1;
+    if (slope == 0.0) {
+        if (fabs(k0) > limit) *hi = t0 - 1.0;
+        return;
+    }
+    double a = t0 + (-limit - k0) / slope, b = t0 + (limit - k0) / slope;
+    if (a > b) {
+        double swap = a;
+        a = b;
+        b = swap;
+    }
+    if (a > *lo) *lo = a;
+    if (b < *hi) *hi = b;
+}
+
+/*
+ * The roots of |D|^2 - K^2 - w^2, between which it is positive; returns 0 when it is positive nowhere, and infinite ends when it
+ * is positive everywhere. The quadratic is written about t0.
+ */
+static int gap_open(const geom_tangent *tangent, double t0, double *lo, double *hi)
+{
+    double k0 = tangent_k(tangent, t0), w0 = tangent_w(tangent, t0);
+    double k1 = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    double w1 = -tangent->to_side * tangent->from->rate * tangent->sin_alpha;
+    double scale = tangent->distance * tangent->distance;
+    double a = k1 * k1 + w1 * w1, b = k0 * k1 + w0 * w1;
+    double c = k0 * k0 + w0 * w0 - scale * (1.0 + GEOM_DOMAIN);
+    *lo = -INFINITY;
+    *hi = INFINITY;
+    if (a == 0.0) return c <= 0.0;
+    double discriminant = b * b - a * c;
+    if (discriminant < 0.0) return 0;
+    double q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
+    double first = q / a, second = q != 0.0 ? c / q : first;
+    *lo = t0 + (first < second ? first : second);
+    *hi = t0 + (first < second ? second : first);
+    return 1;
+}
+
+static int domain_add(double ends[4], int count, double lo, double hi)
+{
+    if (!(lo <= hi)) return count;
+    ends[2 * count] = lo;
+    ends[2 * count + 1] = hi;
+    return count + 1;
+}
+
+int tangent_domain(const geom_tangent *tangent, double t0, double t1, double ends[4])
+{
+    double lo, hi, open, close;
+    domain_of_k(tangent, t0, t1, &lo, &hi);
+    if (!(lo <= hi)) return 0;
+    int shortens = tangent->to_side * tangent->sin_alpha < 0.0; /* w > 0 */
+    if (tangent->root > 0) {
+        if (!shortens) return domain_add(ends, 0, lo, hi);
+        if (!gap_open(tangent, t0, &open, &close)) return 0;
+        return domain_add(ends, 0, open > lo ? open : lo, close < hi ? close : hi);
+    }
+    if (!tangent_possible(tangent)) return 0;
+    if (!gap_open(tangent, t0, &open, &close)) return domain_add(ends, 0, lo, hi);
+    int count = domain_add(ends, 0, lo, open < hi ? open : hi);
+    return domain_add(ends, count, close > lo ? close : lo, hi);
+}
+
+/* The rider's angle to the departure point, up to the constant that it has in common for all times. */
+static double departure_turn(const geom_tangent *tangent, double time)
+{
+    double k = tangent_k(tangent, time);
+    return -tangent->side * tangent->root * tangent->to_side * atan2(tangent_reach(tangent, k), k);
+}
+
+/* The rider and the equation it has to solve: fall(t) = rho h(t), which never rises. */
+typedef struct leave_equation {
+    const geom_tangent *tangent;
+    double t0;
+    double turn_start; /* departure_turn at `start` */
+    double start;      /* begin of the piece */
+    double ridden;     /* angle ridden at `start` */
+    double fall_start; /* value there, in [0, 2 pi) */
+} leave_equation;
+
+static double leave_value(const leave_equation *equation, double time)
+{
+    const geom_tangent *tangent = equation->tangent;
+    double moved = departure_turn(tangent, time) - equation->turn_start;
+    double ridden = spiral_angle(tangent->from, equation->t0, time) - equation->ridden;
+    return equation->fall_start + tangent->root * (moved - ridden);
+}
+
+static double leave_slope(const leave_equation *equation, double time)
+{
+    const geom_tangent *tangent = equation->tangent;
+    double reach = tangent_reach(tangent, tangent_k(tangent, time));
+    double turn = tangent->from->sine * tangent->to->sine * tangent_length(tangent, time);
+    return -turn / (disc_radius(tangent->from, time) * reach);
+}
+
+/* Newton inside a bracket: value(lo) >= 0 >= value(hi). */
+static double leave_solve(const leave_equation *equation, double lo, double hi, double value_hi)
+{
+    double share = equation->fall_start / (equation->fall_start - value_hi);
+    double time = lo + (hi - lo) * (share > 0.0 && share < 1.0 ? share : 0.5);
+    for (int step = 0; step < 100; ++step) {
+        double value = leave_value(equation, time);
+        if (fabs(value) <= GEOM_ANGLE) return time;
+        if (value > 0.0) {
+            lo = time;
+        } else {
+            hi = time;
+        }
+        double next = time - value / leave_slope(equation, time);
+        if (!(next > lo && next < hi) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
+        if (next == time || next <= lo || next >= hi) return time;
+        time = next;
+    }
+    return time;
+}
+
+/* Concentric discs: one moment, from every angle. */
+static int leave_concentric(const geom_tangent *tangent, double t0, double t1, double *leave)
+{
+    double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    if (slope == 0.0) return 0;
+    double time = t0 - tangent_k(tangent, t0) / slope;
+    if (!(time >= t0 && time <= t1) || tangent_w(tangent, time) >= 0.0) return 0;
+    *leave = time;
+    return 1;
+}
+
+static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, double lo, double hi, double *leave)
+{
+    const geom_disc *i = tangent->from, *j = tangent->to;
+    leave_equation equation = {tangent, t0, departure_turn(tangent, lo), lo, spiral_angle(i, t0, lo), 0.0};
+    double fixed = tangent->bearing + tangent->to_side * j->theta - tangent->side * i->theta - angle;
+    double ahead = tangent->side * fixed + equation.turn_start - equation.ridden;
+    equation.fall_start = angle_positive(tangent->root * ahead);
+    if (equation.fall_start > GEOM_TURN - GEOM_ANGLE_START || equation.fall_start <= GEOM_ANGLE) {
+        *leave = lo;
+        return 1;
+    }
+    double value_hi = leave_value(&equation, hi);
+    if (value_hi > 0.0) return 0;
+    *leave = leave_solve(&equation, lo, hi, value_hi);
+    return 1;
+}
+
+int tangent_leave(const geom_tangent *tangent, double angle, double t0, double t1, double *leave)
+{
+    double size = disc_radius(tangent->from, t0) + disc_radius(tangent->to, t0);
+    if (tangent->distance <= CONCENTRIC * size) return leave_concentric(tangent, t0, t1, leave);
+    double ends[4];
+    int pieces = tangent_domain(tangent, t0, t1, ends);
+    for (int piece = 0; piece < pieces; ++piece)
+        if (leave_in_piece(tangent, angle, t0, ends[2 * piece], ends[2 * piece + 1], leave)) return 1;
+    return 0;
+}

@@ -1,0 +1,24 @@
+/*
+ * The one tolerance policy of the geometry.
+ *
+ * All lengths are in units of the journey's straight line, all speeds in units of the robot's, so that a time and the
+ * length travelled in it are the same number. Rounding makes positions uncertain by a few 1e-16 of the largest
+ * coordinate in a formula, and a solved departure angle by GEOM_ANGLE. A contact is therefore no collision when it is no
+ * deeper than GEOM_CONTACT of the sizes that meet: a path that only touches is free.
+ */
+#ifndef GEOM_TOLERANCE_H
+#define GEOM_TOLERANCE_H
+
+/* Depth of a touch that is not yet a collision, relative to distance plus radius. */
+#define GEOM_CONTACT 1e-12
+
+/* Where an angle equation counts as solved; round-off of the terms is just below. */
+#define GEOM_ANGLE 2e-14
+
+/* A departure point this far behind a rider who only starts there still counts as met. */
+#define GEOM_ANGLE_START 1e-11
+
+/* Relative slack of the closed ends of a tangent's domain, so that legs of length 0 are not lost. */
+#define GEOM_DOMAIN 1e-13
+
+#endif

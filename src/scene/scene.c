@@ -1,0 +1,242 @@
+/* Making, checking and reading scenes. */
+#include "scene/scene.h"
+
+#include <string.h>
+
+#include "base/hash.h"
+#include "scene/cover.h"
+
+/* No number of a scene may be larger: squares and products of lengths then stay far from overflow. */
+#define LARGEST 1e100
+#define SMALLEST_SPEED 1e-100
+
+/* The frame's unit is at least this share of the scene's extent, so that coordinates in it stay moderate. */
+#define LEAST_UNIT 1e-12
+
+static int is_moderate(double x)
+{
+    return x >= -LARGEST && x <= LARGEST;
+}
+
+static int is_size(double x)
+{
+    return x >= 0.0 && x <= LARGEST;
+}
+
+const char *tdsp_journey_check(const tdsp_journey *journey)
+{
+    if (!(journey->speed >= SMALLEST_SPEED && journey->speed <= LARGEST)) return "the robot's speed is not between 1e-100 and 1e100";
+    if (!is_size(journey->radius)) return "the robot's radius is not between 0 and 1e100";
+    if (!is_moderate(journey->source.x) || !is_moderate(journey->source.y))
+        return "the source is not finite, or beyond 1e100";
+    if (!is_moderate(journey->destination.x) || !is_moderate(journey->destination.y))
+        return "the destination is not finite, or beyond 1e100";
+    return NULL;
+}
+
+const char *tdsp_disc_check(const tdsp_disc *disc)
+{
+    if (!is_moderate(disc->center.x) || !is_moderate(disc->center.y)) return "the centre is not finite, or beyond 1e100";
+    if (!is_size(disc->radius)) return "the radius is not between 0 and 1e100";
+    if (!is_size(disc->growth)) return "the growth is not between 0 and 1e100";
+    return NULL;
+}
+
+static uint64_t hash_point(uint64_t hash, tdsp_point point)
+{
+    return hash_double(hash_double(hash, point.x), point.y);
+}
+
+static uint64_t scene_hash(const tdsp_scene *scene)
+{
+    const tdsp_journey *journey = &scene->journey;
+    uint64_t hash = hash_double(hash_double(HASH_FNV1A_SEED, journey->speed), journey->radius);
+    hash = hash_point(hash_point(hash, journey->source), journey->destination);
+    for (size_t i = 0; i < scene->count; ++i) {
+        hash = hash_point(hash, scene->discs[i].center);
+        hash = hash_double(hash_double(hash, scene->discs[i].radius), scene->discs[i].growth);
+    }
+    return hash;
+}
+
+/* When a disc covers a place: the last moment at which it does not, negative where it always does. */
+static double disc_free_until(const tdsp_disc *disc, double robot_radius, tdsp_point place)
+{
+    double gap = hypot(place.x - disc->center.x, place.y - disc->center.y) - (disc->radius + robot_radius);
+    if (disc->growth > 0.0) return gap / disc->growth;
+    return gap < 0.0 ? -1.0 : INFINITY;
+}
+
+static scene_cover cover_of(const tdsp_scene *scene, tdsp_point place)
+{
+    scene_cover cover = {INFINITY, TDSP_NO_DISC};
+    for (size_t i = 0; i < scene->count; ++i) {
+        double until = disc_free_until(&scene->discs[i], scene->journey.radius, place);
+        if (until >= cover.time) continue;
+        cover.time = until;
+        cover.disc = (uint32_t)i;
+    }
+    return cover;
+}
+
+static double scene_extent(const tdsp_scene *scene)
+{
+    double extent = 0.0;
+    for (size_t i = 0; i < scene->count; ++i) {
+        tdsp_point from_origin = point_sub(scene->discs[i].center, scene->origin);
+        extent = fmax(extent, fmax(fabs(from_origin.x), fabs(from_origin.y)));
+        extent = fmax(extent, scene->discs[i].radius + scene->journey.radius);
+    }
+    return extent;
+}
+
+static tdsp_point frame_point(const tdsp_scene *scene, tdsp_point place)
+{
+    return point_scale(1.0 / scene->length, point_sub(place, scene->origin));
+}
+
+static void scene_set_frame(tdsp_scene *scene)
+{
+    tdsp_point s = scene->journey.source, d = scene->journey.destination;
+    scene->origin = point_make(0.5 * s.x + 0.5 * d.x, 0.5 * s.y + 0.5 * d.y);
+    double extent = scene_extent(scene), straight = point_distance(s, d);
+    scene->length = fmax(straight, straight > 0.0 ? LEAST_UNIT * extent : extent);
+    if (!(scene->length > 0.0)) scene->length = 1.0;
+    scene->extent = extent / scene->length;
+    scene->time = scene->length / scene->journey.speed;
+    scene->source = frame_point(scene, s);
+    scene->destination = frame_point(scene, d);
+}
+
+static void frame_discs(const tdsp_scene *scene, index_items items)
+{
+    for (uint32_t i = 0; i < items.count; ++i) {
+        const tdsp_disc *disc = &scene->discs[i];
+        double radius = (disc->radius + scene->journey.radius) / scene->length;
+        items.discs[i] = disc_make(frame_point(scene, disc->center), radius, disc->growth / scene->journey.speed);
+        items.given[i] = i;
+    }
+}
+
+/* Index, drop what can never matter, index what is left. */
+static tdsp_status scene_index_discs(tdsp_scene *scene)
+{
+    index_items items = {scene->forward, scene->given, (uint32_t)scene->count};
+    frame_discs(scene, items);
+    tdsp_status status = index_build(&scene->index, &scene->allocator, items);
+    if (status != TDSP_OK) return status;
+    status = cover_drop(&scene->index, &scene->allocator, items, &scene->active);
+    index_free(&scene->index, &scene->allocator);
+    scene->index.nodes = NULL;
+    if (status != TDSP_OK) return status;
+    items.count = scene->active;
+    return index_build(&scene->index, &scene->allocator, items);
+}
+
+static void scene_reverse_discs(tdsp_scene *scene)
+{
+    scene->rate_min = INFINITY;
+    for (uint32_t i = 0; i < scene->active; ++i) {
+        const geom_disc *disc = &scene->forward[i];
+        scene->reverse[i] = disc_make(disc->center, disc->radius, -disc->rate);
+        scene->rate_min = fmin(scene->rate_min, disc->rate);
+    }
+}
+
+static tdsp_status scene_allocate(tdsp_scene *scene)
+{
+    if (scene->count == 0) return TDSP_OK;
+    scene->discs = memory_array(&scene->allocator, scene->count, sizeof *scene->discs);
+    scene->forward = memory_array(&scene->allocator, scene->count, sizeof *scene->forward);
+    scene->reverse = memory_array(&scene->allocator, scene->count, sizeof *scene->reverse);
+    scene->given = memory_array(&scene->allocator, scene->count, sizeof *scene->given);
+    return scene->discs && scene->forward && scene->reverse && scene->given ? TDSP_OK : TDSP_NO_MEMORY;
+}
+
+static tdsp_status scene_prepare(tdsp_scene *scene, const tdsp_disc *discs)
+{
+    tdsp_status status = scene_allocate(scene);
+    if (status != TDSP_OK) return status;
+    if (scene->count) memcpy(scene->discs, discs, scene->count * sizeof *discs);
+    scene->hash = scene_hash(scene);
+    scene->source_cover = cover_of(scene, scene->journey.source);
+    scene->destination_cover = cover_of(scene, scene->journey.destination);
+    scene_set_frame(scene);
+    status = scene_index_discs(scene);
+    if (status == TDSP_OK) scene_reverse_discs(scene);
+    return status;
+}
+
+static tdsp_status scene_check(const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
+{
+    if (tdsp_journey_check(journey)) return TDSP_BAD_SCENE;
+    for (size_t i = 0; i < count; ++i)
+        if (tdsp_disc_check(&discs[i])) return TDSP_BAD_SCENE;
+    return TDSP_OK;
+}
+
+tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count,
+                              const tdsp_allocator *allocator, tdsp_scene **out)
+{
+    if (!journey || !out || (count && !discs) || count > 0x7fffffff) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = scene_check(journey, discs, count);
+    if (status != TDSP_OK) return status;
+    tdsp_allocator memory = memory_allocator(allocator);
+    tdsp_scene *scene = memory_array(&memory, 1, sizeof *scene);
+    if (!scene) return TDSP_NO_MEMORY;
+    memset(scene, 0, sizeof *scene);
+    scene->allocator = memory;
+    scene->journey = *journey;
+    scene->count = count;
+    status = scene_prepare(scene, discs);
+    if (status != TDSP_OK) {
+        tdsp_scene_free(scene);
+        return status;
+    }
+    *out = scene;
+    return TDSP_OK;
+}
+
+void tdsp_scene_free(tdsp_scene *scene)
+{
+    if (!scene) return;
+    tdsp_allocator memory = scene->allocator;
+    memory_free(&memory, scene->discs, scene->count * sizeof *scene->discs);
+    memory_free(&memory, scene->forward, scene->count * sizeof *scene->forward);
+    memory_free(&memory, scene->reverse, scene->count * sizeof *scene->reverse);
+    memory_free(&memory, scene->given, scene->count * sizeof *scene->given);
+    index_free(&scene->index, &memory);
+    memory_free(&memory, scene, sizeof *scene);
+}
+
+const tdsp_journey *tdsp_scene_journey(const tdsp_scene *scene)
+{
+    return &scene->journey;
+}
+
+const tdsp_disc *tdsp_scene_discs(const tdsp_scene *scene, size_t *count)
+{
+    if (count) *count = scene->count;
+    return scene->discs;
+}
+
+uint64_t tdsp_scene_hash(const tdsp_scene *scene)
+{
+    return scene->hash;
+}
+
+static double cover_report(scene_cover cover, uint32_t *disc)
+{
+    if (disc) *disc = cover.disc;
+    return cover.time;
+}
+
+double tdsp_scene_source_free_until(const tdsp_scene *scene, uint32_t *disc)
+{
+    return cover_report(scene->source_cover, disc);
+}
+
+double tdsp_scene_destination_free_until(const tdsp_scene *scene, uint32_t *disc)
+{
+    return cover_report(scene->destination_cover, disc);
+}

@@ -1,0 +1,58 @@
+/*
+ * The prepared scene: what the search sees.
+ *
+ * Frame: the origin is the middle of the journey, its length |sd| is 1 and the robot's speed is 1, so that times and the
+ * lengths travelled in them are the same numbers. A journey of length 0 takes its unit from the discs. Discs that can never
+ * matter are left out; `forward[k]` and `reverse[k]` are the same disc for time running forwards and backwards,
+ * in the order of the index.
+ */
+#ifndef SCENE_SCENE_H
+#define SCENE_SCENE_H
+
+#include "geom/disc.h"
+#include "scene/allocator.h"
+#include "scene/index.h"
+#include "tdsp/scene.h"
+
+/* When an end of the journey is covered first, in the user's units, and by which of the user's discs. */
+typedef struct scene_cover {
+    double time;
+    uint32_t disc;
+} scene_cover;
+
+struct tdsp_scene {
+    tdsp_allocator allocator;
+    tdsp_journey journey;
+    tdsp_disc *discs; /* as given */
+    size_t count;
+    uint64_t hash;
+    scene_cover source_cover;
+    scene_cover destination_cover;
+
+    tdsp_point origin;
+    double length; /* of the frame's unit, in the user's */
+    double time;   /* likewise */
+    double extent; /* of the discs' places and radii, in the frame */
+    tdsp_point source; /* in the frame */
+    tdsp_point destination;
+    geom_disc *forward;
+    geom_disc *reverse;
+    uint32_t *given; /* index of each in `discs` */
+    uint32_t active; /* how many of them */
+    double rate_min; /* of the active discs */
+    scene_index index;
+};
+
+/* Is this end inside a disc at a time in the user's units? */
+static inline int scene_covered(scene_cover cover, double time)
+{
+    return time > cover.time;
+}
+
+/* A point of the frame in the user's units. */
+static inline tdsp_point scene_place(const tdsp_scene *scene, tdsp_point point)
+{
+    return point_along(scene->origin, scene->length, point);
+}
+
+#endif

@@ -1,0 +1,205 @@
+/* The disc engine's loop: labels in, rides and legs out. The method is in engine.h. */
+#include "search/engine.h"
+
+#include <string.h>
+
+#include "search/sweep.h"
+
+enum { LABEL_LEG = 0, LABEL_RIDE = 1, LABEL_START = 2 };
+
+/* A disc that holds the goal within this depth at the moment of contact is the one that covers it. */
+#define COVERS_GOAL 1e-9
+
+static double label_bound(void *ctx, const tdsp_label *label)
+{
+    const disc_engine *engine = ctx;
+    if (label->kind == LABEL_LEG) return engine->legs[label->id].bound;
+    if (label->kind == LABEL_RIDE) return engine->rides[label->id].bound;
+    return 0.0;
+}
+
+static geom_line leg_line(const disc_engine *engine, const engine_leg *leg)
+{
+    tdsp_point from = engine->question.start;
+    if (leg->ride != ENGINE_NONE) from = disc_boundary(engine_disc(engine, engine->rides[leg->ride].disc), leg->normal, leg->leave);
+    geom_line line = {from, point_unit(leg->heading), leg->leave, leg->length};
+    return line;
+}
+
+static uint32_t leg_origin(const disc_engine *engine, const engine_leg *leg)
+{
+    return leg->ride == ENGINE_NONE ? INDEX_NONE : engine->rides[leg->ride].disc;
+}
+
+static int leg_blocked(disc_engine *engine, const engine_leg *leg)
+{
+    geom_line line = leg_line(engine, leg);
+    ++engine->legs_tested;
+    return index_line_blocked(&engine->view, &line, leg_origin(engine, leg), leg->disc);
+}
+
+/* Is what stops this leg to the goal a disc that covers the goal by then? */
+static int leg_stopped_by_cover(disc_engine *engine, const engine_leg *leg)
+{
+    geom_line line = leg_line(engine, leg);
+    double length;
+    uint32_t first = index_line_first(&engine->view, &line, leg_origin(engine, leg), &length);
+    if (first == INDEX_NONE) return 1;
+    const geom_disc *disc = engine_disc(engine, first);
+    double radius = disc_radius(disc, leg->leave + length);
+    return point_distance(disc->center, engine->question.goal) <= radius * (1.0 + COVERS_GOAL) + COVERS_GOAL;
+}
+
+static int goal_leg_good(disc_engine *engine, const engine_leg *leg)
+{
+    double arrival = leg_arrival(leg);
+    return arrival >= engine->question.goal_opens && arrival <= engine->question.goal_until && !leg_blocked(engine, leg);
+}
+
+static void engine_set_limit(disc_engine *engine, double limit)
+{
+    engine->limit = limit;
+    tdsp_search_limit(engine->open, limit);
+}
+
+tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done)
+{
+    if (leg_arrival(leg) + leg->bound > engine->limit) return TDSP_OK;
+    if (leg->disc == ENGINE_GOAL) {
+        if (engine->question.explain) {
+            engine->way_open = *done = leg_stopped_by_cover(engine, leg);
+            return TDSP_OK;
+        }
+        if (!goal_leg_good(engine, leg)) return TDSP_OK;
+        engine_set_limit(engine, leg_arrival(leg));
+    }
+    if (engine->leg_count >= ENGINE_GOAL) return TDSP_NO_MEMORY;
+    tdsp_status status = memory_reserve(&engine->scene->allocator, (void **)&engine->legs, &engine->leg_capacity,
+                                        engine->leg_count + 1, sizeof *engine->legs);
+    if (status != TDSP_OK) return status;
+    tdsp_label label = {leg_arrival(leg), (uint32_t)engine->leg_count, LABEL_LEG};
+    engine->legs[engine->leg_count++] = *leg;
+    return tdsp_search_push(engine->open, &label);
+}
+
+static tdsp_status engine_add_ride(disc_engine *engine, engine_ride ride, uint32_t *added)
+{
+    tdsp_status status = memory_reserve(&engine->scene->allocator, (void **)&engine->rides, &engine->ride_capacity,
+                                        engine->ride_count + 1, sizeof *engine->rides);
+    if (status != TDSP_OK) return status;
+    *added = (uint32_t)engine->ride_count;
+    engine->rides[engine->ride_count++] = ride;
+    sweep_add(engine, *added);
+    return TDSP_OK;
+}
+
+static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
+{
+    const engine_leg *leg = &engine->legs[id];
+    if (leg->disc == ENGINE_GOAL) {
+        engine->arrived = id;
+        *done = 1;
+        return TDSP_OK;
+    }
+    double arrival = leg_arrival(leg);
+    double normal = leg->heading - leg->side * engine_disc(engine, leg->disc)->theta;
+    if (sweep_covers(engine, leg->disc, leg->side, normal, arrival) || leg_blocked(engine, leg)) return TDSP_OK;
+    engine_ride ride = {leg->disc, leg->side, id, ENGINE_NONE, normal, arrival, arrival, leg->bound};
+    uint32_t added;
+    tdsp_status status = engine_add_ride(engine, ride, &added);
+    return status == TDSP_OK ? ride_follow(engine, added, done) : status;
+}
+
+static tdsp_status expand_start(disc_engine *engine, int *done)
+{
+    const engine_question *question = &engine->question;
+    engine_set_limit(engine, question->limit);
+    if (question->seed_count == 0) return leaves_push_start(engine, done);
+    for (int i = 0; i < question->seed_count && !*done; ++i) {
+        const engine_seed *seed = &question->seeds[i];
+        tdsp_point place = disc_boundary(engine_disc(engine, seed->disc), seed->normal, question->time);
+        engine_ride ride = {seed->disc,    seed->side,     ENGINE_NONE,    ENGINE_NONE,
+                            seed->normal, question->time, question->time, point_distance(place, question->goal)};
+        uint32_t added;
+        tdsp_status status = engine_add_ride(engine, ride, &added);
+        if (status == TDSP_OK) status = ride_follow(engine, added, done);
+        if (status != TDSP_OK) return status;
+    }
+    return TDSP_OK;
+}
+
+static tdsp_status expand(void *ctx, const tdsp_label *label, tdsp_search *open, int *done)
+{
+    disc_engine *self = ctx;
+    (void)open;
+    if (label->kind == LABEL_LEG) return expand_leg(self, label->id, done);
+    if (label->kind == LABEL_RIDE) return ride_follow(self, label->id, done);
+    return expand_start(self, done);
+}
+
+/* Forget the last run. The stamps make that O(1), but for once in 2^32 runs. */
+static void engine_forget(disc_engine *engine)
+{
+    engine->leg_count = engine->ride_count = 0;
+    engine->arrived = ENGINE_NONE;
+    engine->way_open = 0;
+    if (++engine->stamp == 0 && engine->scene->active) {
+        memset(engine->stamps, 0, 2 * (size_t)engine->scene->active * sizeof *engine->stamps);
+        engine->stamp = 1;
+    }
+}
+
+tdsp_status engine_run(disc_engine *engine, const engine_question *question)
+{
+    const tdsp_search_problem problem = {sizeof problem, engine, label_bound, expand};
+    const tdsp_label start = {question->time, 0, LABEL_START};
+    engine_forget(engine);
+    engine->question = *question;
+    engine->goal = disc_point(question->goal);
+    engine->view.sign = question->direction;
+    engine->view.discs = question->direction == ENGINE_FORWARD ? engine->scene->forward : engine->scene->reverse;
+    return tdsp_search_run(engine->open, &problem, &start, 1, NULL);
+}
+
+double engine_arrival(const disc_engine *engine)
+{
+    return leg_arrival(&engine->legs[engine->arrived]);
+}
+
+tdsp_status engine_create(disc_engine *engine, const tdsp_scene *scene)
+{
+    memset(engine, 0, sizeof *engine);
+    engine->scene = scene;
+    engine->view.index = &scene->index;
+    engine->arrived = ENGINE_NONE;
+    tdsp_status status = tdsp_search_create(&scene->allocator, &engine->open);
+    if (status != TDSP_OK || scene->active == 0) return status;
+    size_t lists = 2 * (size_t)scene->active;
+    engine->heads = memory_array(&scene->allocator, lists, sizeof *engine->heads);
+    engine->stamps = memory_array(&scene->allocator, lists, sizeof *engine->stamps);
+    if (!engine->heads || !engine->stamps) {
+        engine_free(engine);
+        return TDSP_NO_MEMORY;
+    }
+    memset(engine->stamps, 0, lists * sizeof *engine->stamps);
+    return TDSP_OK;
+}
+
+void engine_free(disc_engine *engine)
+{
+    const tdsp_allocator *memory = &engine->scene->allocator;
+    size_t lists = 2 * (size_t)engine->scene->active;
+    tdsp_search_free(engine->open);
+    memory_free(memory, engine->legs, engine->leg_capacity * sizeof *engine->legs);
+    memory_free(memory, engine->rides, engine->ride_capacity * sizeof *engine->rides);
+    memory_free(memory, engine->heads, lists * sizeof *engine->heads);
+    memory_free(memory, engine->stamps, lists * sizeof *engine->stamps);
+    memset(engine, 0, sizeof *engine);
+}
+
+uint64_t engine_bytes(const disc_engine *engine)
+{
+    uint64_t lists = 2 * (uint64_t)engine->scene->active * (sizeof *engine->heads + sizeof *engine->stamps);
+    return lists + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
+           engine->open->open.capacity * sizeof(heap_slot) + sizeof *engine;
+}

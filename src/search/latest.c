@@ -1,0 +1,269 @@
+/*
+ * The latest departure: A^-1(a) = sup { t : A(t) <= a }.
+ *
+ * Where A is continuous, a search backwards in time from the destination at `a` finds it. Inside a jump no path arrives exactly at `a`: the
+ * departure sought is the one at the jump, whose path is the last to pass a closing gap, or leaves as the source is covered. It is the best of
+ *
+ *   1. the reverse search from the destination at min(a, t_d),
+ *   2. the moment t_s at which the source is covered, when A(t_s) <= a,
+ *   3. reverse searches from the gap events, latest first: the first whose forward arrival is <= a.
+ *
+ * A is increasing, so a forward search just after the winner proves that nothing later will do. Where that proof fails (the jump had another
+ * cause) the answer is found by bisection on A.
+ */
+#include <math.h>
+
+#include "search/gap.h"
+
+/* A(t) counts as equal to a within this share of the times at hand. */
+#define SAME_TIME 1e-11
+
+/* The proof looks this share of the times at hand past the answer. */
+#define PROOF_STEP 2e-9
+
+/* What is known so far; times in the user's units. */
+typedef struct latest_state {
+    tdsp_solver *solver;
+    double arrival;  /* a */
+    double best;     /* the latest departure known to arrive by a; negative when none */
+    double arrives;  /* A(best) */
+    double too_late; /* the earliest departure known to arrive after a */
+    const gap_event *gap; /* the event that the best path passes, if that is what it is */
+} latest_state;
+
+static double latest_slack(const latest_state *state, double share)
+{
+    return share * (state->solver->scene->time + state->arrival - fmax(state->best, 0.0));
+}
+
+/* Ask for A(t) and learn from the answer. *status is an error or TDSP_OK. Returns 1 when t arrives by a. */
+static int latest_try(latest_state *state, double departure, tdsp_status *status)
+{
+    tdsp_solver *solver = state->solver;
+    double found = INFINITY;
+    *status = solver_forward(solver, departure, &found);
+    if (!tdsp_status_is_answer(*status)) return 0;
+    int good = *status == TDSP_OK && found - state->arrival <= latest_slack(state, SAME_TIME);
+    *status = TDSP_OK;
+    if (!good) {
+        state->too_late = fmin(state->too_late, departure);
+        return 0;
+    }
+    double over = fmax(found - state->arrival, 0.0); /* a path moved earlier stays a path */
+    state->best = fmax(departure - over, 0.0);
+    state->arrives = fmin(found, state->arrival);
+    *status = route_keep(solver, state->best, state->arrives);
+    return *status == TDSP_OK;
+}
+
+/* The latest departure of a reverse search, or a negative number. */
+static tdsp_status latest_reverse(tdsp_solver *solver, const engine_question *question, double *departure)
+{
+    ++solver->work.reverse_searches;
+    tdsp_status status = engine_run(&solver->engine, question);
+    *departure = -1.0;
+    if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);
+    return status;
+}
+
+/* A question backwards in time: to the source, at a true time that is neither negative nor after it is covered. */
+static engine_question reverse_question(const tdsp_scene *scene, double time, double limit)
+{
+    engine_question question = {ENGINE_REVERSE, scene->destination, scene->source, -time, -scene->source_cover.time / scene->time,
+                                0.0, limit, 0, NULL, 0};
+    return question;
+}
+
+static tdsp_status latest_from_destination(latest_state *state)
+{
+    const tdsp_scene *scene = state->solver->scene;
+    engine_question question = reverse_question(scene, state->arrival / scene->time, 0.0);
+    double departure;
+    tdsp_status status = latest_reverse(state->solver, &question, &departure);
+    if (status != TDSP_OK || departure < 0.0) return status;
+    latest_try(state, fmin(departure * scene->time, scene->source_cover.time), &status);
+    return status;
+}
+
+static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
+{
+    const engine_seed seeds[2] = {{event->first, -event->side, event->normal[0]}, {event->second, event->side, event->normal[1]}};
+    const tdsp_scene *scene = state->solver->scene;
+    engine_question question = reverse_question(scene, event->time, -fmax(state->best, 0.0) / scene->time);
+    question.seeds = seeds;
+    question.seed_count = 2;
+    event->solved = 1;
+    return latest_reverse(state->solver, &question, &event->departure);
+}
+
+/* The event with the latest departure, or NULL when none beats the best. */
+static gap_event *latest_next_gap(const latest_state *state)
+{
+    tdsp_solver *solver = state->solver;
+    gap_event *next = NULL;
+    for (size_t i = 0; i < solver->gap_count; ++i)
+        if (!next || solver->gaps[i].departure > next->departure) next = &solver->gaps[i];
+    if (!next || next->departure * solver->scene->time <= state->best) return NULL;
+    return next;
+}
+
+/* Candidates at or after a departure that arrives too late need no look. A little before the event the same path is surely open. */
+static tdsp_status latest_try_gap(latest_state *state, const gap_event *event)
+{
+    tdsp_status status = TDSP_OK;
+    double departure = event->departure * state->solver->scene->time;
+    if (departure >= state->too_late) return TDSP_OK;
+    if (latest_try(state, departure, &status) || status != TDSP_OK) {
+        state->gap = event;
+        return status;
+    }
+    double earlier = departure - latest_slack(state, SAME_TIME);
+    if (earlier > state->best && latest_try(state, earlier, &status)) state->gap = event;
+    return status;
+}
+
+static tdsp_status latest_from_gaps(latest_state *state)
+{
+    const tdsp_scene *scene = state->solver->scene;
+    tdsp_status status = gap_collect(state->solver, state->best / scene->time, state->arrival / scene->time);
+    while (status == TDSP_OK && !state->gap) {
+        gap_event *event = latest_next_gap(state);
+        if (!event) return TDSP_OK;
+        if (!event->solved) {
+            status = latest_solve_gap(state, event);
+            continue;
+        }
+        status = latest_try_gap(state, event);
+        if (!state->gap) event->departure = -1.0;
+    }
+    return status;
+}
+
+/* A jump without a known cause: bisection between a departure that is in time and one that is not. */
+static tdsp_status latest_bisect(latest_state *state)
+{
+    tdsp_status status = TDSP_OK;
+    state->gap = NULL;
+    while (status == TDSP_OK && state->too_late - state->best > latest_slack(state, 1e-13)) {
+        double middle = 0.5 * (state->best + state->too_late);
+        if (middle <= state->best || middle >= state->too_late) break;
+        latest_try(state, middle, &status);
+    }
+    return status;
+}
+
+/* Is nothing later good enough? The path of the best answer is kept. */
+static tdsp_status latest_prove(latest_state *state)
+{
+    double step = state->best + latest_slack(state, PROOF_STEP);
+    latest_state after = *state;
+    tdsp_status status;
+    if (step >= state->too_late) return TDSP_OK;
+    if (!latest_try(&after, step, &status)) return status;
+    *state = after;
+    return latest_bisect(state);
+}
+
+static tdsp_status latest_search(latest_state *state)
+{
+    const tdsp_scene *scene = state->solver->scene;
+    tdsp_status status = latest_from_destination(state);
+    if (status == TDSP_OK && state->best < 0.0 && state->too_late > 0.0) latest_try(state, 0.0, &status);
+    if (status != TDSP_OK || state->best < 0.0) return status;
+    if (state->arrival - state->arrives <= latest_slack(state, SAME_TIME)) return TDSP_OK;
+    double covered = scene->source_cover.time;
+    if (covered < state->too_late && covered > state->best && covered < state->arrival)
+        if (latest_try(state, covered, &status) || status != TDSP_OK) return status;
+    status = latest_from_gaps(state);
+    return status == TDSP_OK ? latest_prove(state) : status;
+}
+
+/* Why is there no departure at all that arrives by a? */
+static tdsp_status latest_refuse(tdsp_solver *solver, double arrival)
+{
+    double found;
+    tdsp_status status = solver_forward(solver, 0.0, &found);
+    return status == TDSP_OK && found > arrival ? TDSP_ARRIVAL_TOO_EARLY : status;
+}
+
+/* The state after the search; best < 0 when there is no departure. */
+static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state *state)
+{
+    const tdsp_scene *scene = solver->scene;
+    double last = scene->destination_cover.time;
+    double straight = point_distance(scene->source, scene->destination) * scene->time;
+    state->solver = solver;
+    state->arrival = fmin(arrival, last);
+    state->best = -1.0;
+    state->arrives = -1.0;
+    state->too_late = INFINITY;
+    state->gap = NULL;
+    solver->has_path = 0;
+    if (isinf(state->arrival)) { /* nothing moves: A(t) = t + T(0) for ever */
+        state->arrival = scene->time;
+        tdsp_status status = solver_forward(solver, 0.0, &state->arrives);
+        if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_OK : status;
+        state->best = state->arrives = INFINITY;
+        return route_keep(solver, 0.0, state->arrives);
+    }
+    if (scene_covered(scene->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
+    if (straight == 0.0) {
+        state->best = state->arrives = fmin(state->arrival, scene->source_cover.time);
+        solver->engine.arrived = ENGINE_NONE;
+        return route_keep(solver, state->best, state->best);
+    }
+    return latest_search(state);
+}
+
+tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives)
+{
+    if (!solver || !departure || !(arrival >= 0.0)) return TDSP_INVALID_ARGUMENT;
+    latest_state state;
+    tdsp_status status = latest_run(solver, arrival, &state);
+    if (status != TDSP_OK) return status;
+    if (state.best < 0.0) {
+        status = latest_refuse(solver, arrival);
+        return status == TDSP_OK ? TDSP_ARRIVAL_TOO_EARLY : status;
+    }
+    *departure = state.best;
+    if (arrives) *arrives = state.arrives;
+    return TDSP_OK;
+}
+
+static void last_say(tdsp_last_departure *out, tdsp_status reason, uint32_t disc, double time, tdsp_point place)
+{
+    out->reason = reason;
+    out->disc = disc;
+    out->time = time;
+    out->place = place;
+}
+
+/* What stops the departures after state->best. */
+static void last_explain(const latest_state *state, tdsp_last_departure *out)
+{
+    const tdsp_scene *scene = state->solver->scene;
+    double slack = latest_slack(state, SAME_TIME);
+    if (state->best >= scene->source_cover.time - slack) {
+        last_say(out, TDSP_SOURCE_COVERED, scene->source_cover.disc, scene->source_cover.time, scene->journey.source);
+    } else if (state->arrives >= scene->destination_cover.time - slack) {
+        last_say(out, TDSP_DESTINATION_COVERED, scene->destination_cover.disc, scene->destination_cover.time, scene->journey.destination);
+    } else if (state->gap) {
+        last_say(out, TDSP_CUT_OFF, scene->given[state->gap->first], state->gap->time * scene->time, scene_place(scene, state->gap->place));
+        out->other = scene->given[state->gap->second];
+    } else {
+        last_say(out, TDSP_CUT_OFF, TDSP_NO_DISC, state->arrives, scene->journey.destination);
+    }
+}
+
+tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out)
+{
+    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
+    latest_state state;
+    tdsp_status status = latest_run(solver, INFINITY, &state);
+    if (status != TDSP_OK) return status;
+    if (state.best < 0.0) return latest_refuse(solver, INFINITY);
+    tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, solver->scene->journey.source};
+    if (!isinf(state.best)) last_explain(&state, &last);
+    *out = last;
+    return TDSP_OK;
+}

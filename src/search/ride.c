@@ -1,0 +1,57 @@
+/* Following a ride, one chunk at a time. */
+#include "geom/spiral.h"
+#include "search/engine.h"
+#include "search/sweep.h"
+
+/* A chunk turns by this angle at most: what it can see then fits into a narrow wedge. */
+#define CHUNK_ANGLE 0.25
+
+/* ... and the radius at most doubles or halves meanwhile. */
+#define CHUNK_GROWTH 0.69314718055994530942
+
+static double chunk_angle(const geom_disc *disc)
+{
+    double growth = CHUNK_GROWTH * disc->sine;
+    return growth < CHUNK_ANGLE * fabs(disc->rate) ? growth / fabs(disc->rate) : CHUNK_ANGLE;
+}
+
+geom_ride engine_ride_motion(const disc_engine *engine, const engine_ride *ride, double from, double to)
+{
+    const geom_disc *disc = engine_disc(engine, ride->disc);
+    geom_ride motion = {disc, ride->side, ride->normal + ride->side * spiral_angle(disc, ride->start, from), from, to};
+    return motion;
+}
+
+/* The end of the chunk that begins now: by angle, by one lap, by the limit, by other rides, by other discs. */
+static double chunk_end(disc_engine *engine, uint32_t r, int *ended)
+{
+    const engine_ride *ride = &engine->rides[r];
+    const geom_disc *disc = engine_disc(engine, ride->disc);
+    double from = ride->now, full = from + spiral_duration(disc, from, chunk_angle(disc));
+    double lap = ride->start + spiral_duration(disc, ride->start, GEOM_TURN);
+    double to = fmin(full, fmin(lap, engine->limit));
+    if (to > from) to = sweep_cut(engine, r, from, to);
+    if (to > from) {
+        geom_ride motion = engine_ride_motion(engine, ride, from, to);
+        to = fmin(to, index_ride_contact(&engine->view, &motion, ride->disc));
+    }
+    *ended = !(to >= full);
+    return to;
+}
+
+tdsp_status ride_follow(disc_engine *engine, uint32_t r, int *done)
+{
+    int ended, first = engine->rides[r].now == engine->rides[r].start;
+    double from = engine->rides[r].now, to = chunk_end(engine, r, &ended);
+    if (to > from || (first && to == from)) {
+        tdsp_status status = leaves_push(engine, r, from, to, done);
+        if (status != TDSP_OK || *done) return status;
+    }
+    engine_ride *ride = &engine->rides[r];
+    if (to > from) ride->now = to;
+    if (ended) return TDSP_OK;
+    geom_ride motion = engine_ride_motion(engine, ride, to, to);
+    ride->bound = point_distance(disc_boundary(motion.disc, motion.angle, to), engine->question.goal);
+    tdsp_label label = {to, r, 1};
+    return tdsp_search_push(engine->open, &label);
+}

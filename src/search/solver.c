@@ -1,0 +1,144 @@
+/* The public face of the engine: earliest arrivals, paths, counters, and the oracle. */
+#include "search/solver.h"
+
+#include <string.h>
+
+#include "search/gap.h"
+
+tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
+{
+    if (!scene || !out) return TDSP_INVALID_ARGUMENT;
+    tdsp_solver *solver = memory_array(&scene->allocator, 1, sizeof *solver);
+    if (!solver) return TDSP_NO_MEMORY;
+    memset(solver, 0, sizeof *solver);
+    solver->scene = scene;
+    tdsp_status status = engine_create(&solver->engine, scene);
+    if (status != TDSP_OK) {
+        memory_free(&scene->allocator, solver, sizeof *solver);
+        return status;
+    }
+    *out = solver;
+    return TDSP_OK;
+}
+
+void tdsp_solver_free(tdsp_solver *solver)
+{
+    if (!solver) return;
+    const tdsp_allocator *memory = &solver->scene->allocator;
+    engine_free(&solver->engine);
+    memory_free(memory, solver->path, solver->path_capacity * sizeof *solver->path);
+    memory_free(memory, solver->gaps, solver->gap_capacity * sizeof *solver->gaps);
+    memory_free(memory, solver, sizeof *solver);
+}
+
+/* A search for the reason ends this many crossings of the scene after the departure: every disc is one large wall by then. */
+#define EXPLAIN_TIME 1e3
+
+/* Which of the two reasons holds when a robot that started free found no way? */
+static tdsp_status solver_explain(tdsp_solver *solver, engine_question question, tdsp_status *reason)
+{
+    question.explain = 1;
+    question.limit = EXPLAIN_TIME * (1.0 + fabs(question.time) + solver->scene->extent);
+    tdsp_status status = engine_run(&solver->engine, &question);
+    if (status == TDSP_OK) *reason = solver->engine.way_open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
+    return status;
+}
+
+tdsp_status solver_forward(tdsp_solver *solver, double departure, double *arrival)
+{
+    const tdsp_scene *scene = solver->scene;
+    solver->engine.arrived = ENGINE_NONE;
+    if (scene_covered(scene->source_cover, departure)) return TDSP_SOURCE_COVERED;
+    if (point_distance(scene->source, scene->destination) == 0.0) {
+        *arrival = departure;
+        return TDSP_OK;
+    }
+    double until = scene->destination_cover.time / scene->time;
+    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
+                                until, 0, NULL, 0};
+    ++solver->work.forward_searches;
+    tdsp_status status = engine_run(&solver->engine, &question), reason = TDSP_CUT_OFF;
+    if (status != TDSP_OK) return status;
+    if (solver->engine.arrived == ENGINE_NONE) {
+        status = solver_explain(solver, question, &reason);
+        return status == TDSP_OK ? reason : status;
+    }
+    *arrival = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
+    return TDSP_OK;
+}
+
+tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival)
+{
+    if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
+    double found = INFINITY;
+    solver->has_path = 0;
+    tdsp_status status = solver_forward(solver, departure, &found);
+    if (status == TDSP_OK) status = route_keep(solver, departure, found);
+    if (tdsp_status_is_answer(status)) *arrival = status == TDSP_OK ? found : INFINITY;
+    return status;
+}
+
+tdsp_status tdsp_solver_path(const tdsp_solver *solver, tdsp_leg *legs, size_t capacity, size_t *count)
+{
+    if (!solver || !count || (capacity && !legs)) return TDSP_INVALID_ARGUMENT;
+    if (!solver->has_path) return TDSP_NO_ANSWER;
+    *count = solver->path_count;
+    if (capacity < solver->path_count) return TDSP_BUFFER_TOO_SMALL;
+    if (solver->path_count) memcpy(legs, solver->path, solver->path_count * sizeof *legs);
+    return TDSP_OK;
+}
+
+tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *out)
+{
+    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
+    *out = solver->work;
+    out->labels = solver->engine.open->taken;
+    out->legs_tested = solver->engine.legs_tested;
+    out->bytes = sizeof *solver + engine_bytes(&solver->engine) + solver->path_capacity * sizeof *solver->path +
+                 solver->gap_capacity * sizeof *solver->gaps;
+    return TDSP_OK;
+}
+
+static tdsp_status oracle_arrival(void *ctx, double departure, double *arrival)
+{
+    return tdsp_earliest_arrival(ctx, departure, arrival);
+}
+
+static tdsp_status oracle_departure(void *ctx, double arrival, double *departure)
+{
+    return tdsp_latest_departure(ctx, arrival, departure, NULL);
+}
+
+static tdsp_status oracle_path(void *ctx, tdsp_oracle_path *out)
+{
+    const tdsp_solver *solver = ctx;
+    if (!solver->has_path) return TDSP_NO_ANSWER;
+    memset(out, 0, sizeof *out);
+    out->legs = solver->path;
+    out->leg_count = solver->path_count;
+    return TDSP_OK;
+}
+
+static tdsp_status oracle_last_reason(void *ctx, double departure, tdsp_status *reason)
+{
+    tdsp_last_departure last;
+    (void)departure;
+    tdsp_status status = tdsp_solver_last_departure(ctx, &last);
+    if (status == TDSP_OK) *reason = last.reason;
+    return status;
+}
+
+tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
+{
+    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
+    tdsp_oracle_init(out);
+    out->ctx = solver;
+    out->monotone = TDSP_MONOTONE_TRAVEL;
+    out->error = TDSP_SOLVER_ERROR;
+    out->time_scale = solver->scene->time;
+    out->earliest_arrival = oracle_arrival;
+    out->latest_departure = oracle_departure;
+    out->path = oracle_path;
+    out->last_reason = oracle_last_reason;
+    return TDSP_OK;
+}

@@ -1,0 +1,119 @@
+/* See clearance.h for the bounds. */
+#include "verify/clearance.h"
+
+#include <math.h>
+
+#define CHEAP_EVALUATIONS 2000
+#define STACK_PARTS 64 /* a part shorter than 2^-63 of the arc is below the resolution */
+
+typedef struct pass {
+    clearance *least;
+    const motion *m;
+    size_t leg;
+} pass;
+
+typedef struct part {
+    double a, b;   /* elapsed time */
+    double fa, fb; /* f there */
+} part;
+
+static double disc_radius(const nearby_disc *disc, double time)
+{
+    return disc->radius + disc->growth * time;
+}
+
+static double pass_evaluate(pass *p, const nearby_disc *disc, double elapsed)
+{
+    clearance *least = p->least;
+    const double time = elapsed >= p->m->duration ? p->m->leg.end_time : p->m->leg.start_time + elapsed;
+    const double radius = disc_radius(disc, time);
+    const double f = motion_distance(disc->center, motion_position(p->m, elapsed)) - radius;
+    if (f < least->found) {
+        least->found = f;
+        least->time = time;
+        least->radius = radius;
+        least->disc = disc->index;
+        least->leg = p->leg;
+    }
+    return f;
+}
+
+static void line_clear(pass *p, const nearby_disc *disc)
+{
+    const motion *m = p->m;
+    pass_evaluate(p, disc, 0.0);
+    pass_evaluate(p, disc, m->duration);
+    if (!(m->speed > disc->growth)) return;
+    const double ux = (m->leg.to.x - m->leg.from.x) / m->length, uy = (m->leg.to.y - m->leg.from.y) / m->length;
+    const double dx = disc->center.x - m->leg.from.x, dy = disc->center.y - m->leg.from.y;
+    const double foot = dx * ux + dy * uy, height = fabs(dx * uy - dy * ux);
+    const double past = height * disc->growth / sqrt((m->speed - disc->growth) * (m->speed + disc->growth));
+    const double elapsed = (foot + past) / m->speed;
+    if (elapsed > 0.0 && elapsed < m->duration) pass_evaluate(p, disc, elapsed);
+}
+
+/* The larger of the two lower bounds on f over a part. */
+static double part_bound(const motion *m, const nearby_disc *disc, const part *q)
+{
+    const double span = q->b - q->a, fall = m->speed + disc->growth, rise = m->speed - disc->growth;
+    const double lower = fmin(q->fa, q->fb);
+    if (rise <= 0.0) return q->fb;
+    const double first = (q->fa * rise + q->fb * fall - fall * rise * span) / (fall + rise);
+    const double radius = fmin(motion_radius(m, q->a), motion_radius(m, q->b));
+    const double second = lower - m->speed * m->tangential / radius * span * span / 8.0;
+    return fmin(lower, fmax(first, second));
+}
+
+/* Keep what a part's bound says of the whole when nothing lower than the resolution is left to find in it. */
+static int part_settled(const pass *p, const nearby_disc *disc, const part *q, double resolution)
+{
+    const double bound = part_bound(p->m, disc, q);
+    const double middle = q->a + 0.5 * (q->b - q->a);
+    if (bound < p->least->found - resolution && middle > q->a && middle < q->b) return 0;
+    p->least->bound = fmin(p->least->bound, bound);
+    return 1;
+}
+
+static void arc_clear(pass *p, const nearby_disc *disc)
+{
+    part stack[STACK_PARTS];
+    size_t open = 0;
+    const double whole = p->m->duration;
+    stack[open++] = (part){0.0, whole, pass_evaluate(p, disc, 0.0), pass_evaluate(p, disc, whole)};
+    for (int evaluations = 0; open > 0; evaluations++) {
+        const part q = stack[--open];
+        if (part_settled(p, disc, &q, evaluations < CHEAP_EVALUATIONS ? p->least->fine : p->least->coarse)) continue;
+        const double middle = q.a + 0.5 * (q.b - q.a);
+        const double f = pass_evaluate(p, disc, middle);
+        const part halves[2] = {{q.a, middle, q.fa, f}, {middle, q.b, f, q.fb}};
+        const int lower_first = q.fa < q.fb;
+        if (open + 2 > STACK_PARTS) {
+            p->least->bound = fmin(p->least->bound, part_bound(p->m, disc, &q));
+            continue;
+        }
+        stack[open++] = halves[lower_first];
+        stack[open++] = halves[!lower_first];
+    }
+}
+
+static void disc_clear(void *ctx, const nearby_disc *disc)
+{
+    pass *p = ctx;
+    const motion *m = p->m;
+    if (m->leg.kind == TDSP_LEG_LINE) {
+        line_clear(p, disc);
+    } else if (disc->center.x == m->leg.center.x && disc->center.y == m->leg.center.y) {
+        /* f is linear: the ends decide. */
+        pass_evaluate(p, disc, 0.0);
+        pass_evaluate(p, disc, m->duration);
+    } else {
+        arc_clear(p, disc);
+    }
+}
+
+void clearance_of_leg(clearance *least, const motion *m, size_t leg, const nearby_index *index)
+{
+    const motion_circle circle = motion_bound(m);
+    pass p = {least, m, leg};
+    nearby_visit(index, &circle, m->leg.end_time, &least->found, disc_clear, &p);
+}

@@ -1,0 +1,36 @@
+/*
+ * The least clearance of a motion to discs that grow: f(t) = |x(t) - O| - R - V t, over the whole motion.
+ *
+ * On a line f is convex (a norm of an affine function, less an affine one), and with the distance h from O to the line its slope is
+ * zero where the robot is h V / sqrt(w^2 - V^2) past the foot of the perpendicular, w being its speed: closed form.
+ *
+ * On an arc around the disc's own centre |x - O| is linear, and so is f: the ends decide. Around another centre two bounds hold on
+ * any part [a, b] of the arc, with the constant speed w, tangential rate u and least radius r:
+ *   f falls at most at w + V and rises at most at w - V, for |x - O| changes at most at w;
+ *   f'' >= -|x''| = -w u / r, so f >= min(f(a), f(b)) - (w u / r) (b - a)^2 / 8.
+ * The arc is halved until one of them shows that a part holds nothing lower, by more than the resolution, than what was found.
+ */
+#ifndef VERIFY_CLEARANCE_H
+#define VERIFY_CLEARANCE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "verify/motion.h"
+#include "verify/nearby.h"
+
+typedef struct clearance {
+    double found;  /* the least f evaluated: not below the true least */
+    double bound;  /* not above the true least, found - coarse at the least */
+    double fine;   /* resolution while an arc and a disc cost little */
+    double coarse; /* resolution when they cost more: bounds the work */
+    double time;   /* of `found`, as are the next three */
+    double radius; /* of the disc then */
+    uint32_t disc;
+    size_t leg;
+} clearance;
+
+/* Lower `least` by the motion of leg `leg` against all discs. */
+void clearance_of_leg(clearance *least, const motion *m, size_t leg, const nearby_index *index);
+
+#endif

@@ -1,0 +1,85 @@
+/* See motion.h for the derivation. */
+#include "verify/motion.h"
+
+#include <math.h>
+
+static int point_finite(tdsp_point p)
+{
+    return isfinite(p.x) && isfinite(p.y);
+}
+
+static int arc_well_formed(const tdsp_leg *leg)
+{
+    if (leg->turn != 1 && leg->turn != -1) return 0;
+    if (!point_finite(leg->center) || !isfinite(leg->angle_from)) return 0;
+    if (!isfinite(leg->radius_from) || !(leg->radius_from > 0.0)) return 0;
+    if (!isfinite(leg->radius_to) || !(leg->radius_to > 0.0)) return 0;
+    return isfinite(leg->sweep) && leg->sweep >= 0.0;
+}
+
+int motion_well_formed(const tdsp_leg *leg)
+{
+    if (leg->kind != TDSP_LEG_LINE && leg->kind != TDSP_LEG_ARC) return 0;
+    if (!isfinite(leg->start_time) || !isfinite(leg->end_time)) return 0;
+    if (leg->end_time < leg->start_time) return 0;
+    if (!point_finite(leg->from) || !point_finite(leg->to)) return 0;
+    return leg->kind == TDSP_LEG_LINE || arc_well_formed(leg);
+}
+
+double motion_distance(tdsp_point a, tdsp_point b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
+motion motion_of(const tdsp_leg *leg)
+{
+    motion m = {*leg, leg->end_time - leg->start_time, 0.0, 0.0, 0.0, 0.0, 0.0};
+    double across = 0.0;
+    if (leg->kind == TDSP_LEG_LINE) {
+        m.length = motion_distance(leg->from, leg->to);
+    } else {
+        m.growth = (leg->radius_to - leg->radius_from) / leg->radius_from;
+        m.log_growth = log1p(m.growth);
+        across = leg->sweep * leg->radius_from * (m.log_growth == 0.0 ? 1.0 : m.growth / m.log_growth);
+        m.length = hypot(leg->radius_to - leg->radius_from, across);
+    }
+    if (m.duration > 0.0) {
+        m.speed = m.length / m.duration;
+        m.tangential = across / m.duration;
+    }
+    return m;
+}
+
+static double motion_share(const motion *m, double elapsed)
+{
+    if (!(m->duration > 0.0) || elapsed <= 0.0) return 0.0;
+    return elapsed >= m->duration ? 1.0 : elapsed / m->duration;
+}
+
+double motion_radius(const motion *m, double elapsed)
+{
+    return m->leg.radius_from + (m->leg.radius_to - m->leg.radius_from) * motion_share(m, elapsed);
+}
+
+tdsp_point motion_position(const motion *m, double elapsed)
+{
+    const tdsp_leg *leg = &m->leg;
+    const double x = motion_share(m, elapsed);
+    if (leg->kind == TDSP_LEG_LINE) {
+        if (x == 1.0) return leg->to;
+        return (tdsp_point){leg->from.x + (leg->to.x - leg->from.x) * x, leg->from.y + (leg->to.y - leg->from.y) * x};
+    }
+    const double turned = m->log_growth == 0.0 ? x : log1p(m->growth * x) / m->log_growth;
+    const double angle = leg->angle_from + (double)leg->turn * leg->sweep * turned;
+    const double radius = motion_radius(m, elapsed);
+    return (tdsp_point){leg->center.x + radius * cos(angle), leg->center.y + radius * sin(angle)};
+}
+
+motion_circle motion_bound(const motion *m)
+{
+    /* No point of the way is farther from its middle, counted in time, than half its length. */
+    const motion_circle half = {motion_position(m, 0.5 * m->duration), 0.5 * m->length};
+    if (m->leg.kind == TDSP_LEG_LINE) return half;
+    const motion_circle whole = {m->leg.center, fmax(m->leg.radius_from, m->leg.radius_to)};
+    return whole.radius < half.radius ? whole : half;
+}

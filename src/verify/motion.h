@@ -1,0 +1,46 @@
+/*
+ * A leg as a motion in the plane: the verifier's own reading of tdsp/types.h, written without a look at the engine's.
+ *
+ * With x in [0, 1] the share of the leg's duration, a line is from + (to - from) x. On an arc the distance from the centre
+ * is r = r0 + (r1 - r0) x and the direction is a0 + turn * sweep * ln(1 + q x) / ln(1 + q), q = (r1 - r0) / r0. Its radial rate is
+ * r1 - r0 a duration; its tangential rate r * d(angle)/dx = sweep * r0 * q / ln(1 + q) a duration. Both are constant, so the
+ * speed is too, and the velocity turns at the rate (tangential rate) / r: that bounds the acceleration.
+ */
+#ifndef VERIFY_MOTION_H
+#define VERIFY_MOTION_H
+
+#include "tdsp/types.h"
+
+typedef struct motion {
+    tdsp_leg leg;
+    double duration;   /* time */
+    double length;     /* of the way, a length */
+    double speed;      /* length / duration; 0 where the duration is 0 */
+    double tangential; /* arc: the part of the speed across the radius */
+    double growth;     /* arc: q */
+    double log_growth; /* arc: ln(1 + q) */
+} motion;
+
+/* Is every number finite and in its range, so that motion_of() means something? */
+int motion_well_formed(const tdsp_leg *leg);
+
+/* Of a well-formed leg. */
+motion motion_of(const tdsp_leg *leg);
+
+/* Where the robot is at start_time + elapsed, 0 <= elapsed <= duration. */
+tdsp_point motion_position(const motion *m, double elapsed);
+
+/* Arc: the distance from the centre then. */
+double motion_radius(const motion *m, double elapsed);
+
+/* A circle that holds the whole motion. */
+typedef struct motion_circle {
+    tdsp_point center;
+    double radius;
+} motion_circle;
+
+motion_circle motion_bound(const motion *m);
+
+double motion_distance(tdsp_point a, tdsp_point b);
+
+#endif

@@ -15,8 +15,9 @@ FREESTANDING = {"float.h", "limits.h", "math.h", "stddef.h", "stdint.h", "string
 HOSTED = FREESTANDING | {"assert.h", "stdlib.h"}
 # What code below the line may know of the public interface.
 PUBLIC_BELOW = {"export.h", "path.h", "status.h", "table.h", "types.h"}
-# The verifier is the second opinion on the engine: it shares none of its geometry, though the layers would allow it.
-FORBIDDEN = {("verify", "geom"), ("verify", "search")}
+# The verifier is the second opinion on the engine: it shares none of its geometry, though the layers would allow it. The sampler
+# knows an oracle and nothing of discs (docs/decisions/0001).
+FORBIDDEN = {("verify", "geom"), ("verify", "search"), ("build", "geom"), ("build", "search")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\b\s*(.*?)\s*$', re.M)
 

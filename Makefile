@@ -232,12 +232,13 @@ run-tests: $(TEST_RUNS) $(SCRIPT_RUNS)
 run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
 
 # Everything that is checked once and needs no variant.
-checks := runner layers functions links headers objects examples snippets install
+checks := runner layers functions stack links headers objects examples snippets install
 check_runs := $(checks:%=$(CHECK)/%.result)
 .PHONY: run-checks
 run-checks: $(check_runs)
 $(check_runs): FORCE
 $(CHECK)/runner.result: ; $(RUN) tests/runner/check.sh
+$(CHECK)/stack.result: ; $(RUN) $(PYTHON) tests/check_stack.py
 $(CHECK)/layers.result: ; $(RUN) $(PYTHON) tests/check_layers.py
 $(CHECK)/functions.result: ; $(RUN) $(PYTHON) tests/check_functions.py
 $(CHECK)/links.result: ; $(RUN) $(PYTHON) tests/check_links.py

@@ -5,8 +5,7 @@
 
 - the shared library exports exactly the functions that the public headers declare with TDSP_API;
 - no object has writable data: no mutable globals;
-- below the freestanding line nothing is called but memory and mathematics, and nothing recurses is checked by the compiler's
-  own call graph where it writes one;
+- below the freestanding line nothing is called but memory and mathematics;
 - above it, only the allocator asks the C library for memory, and nothing prints, reads files or exits.
 """
 import pathlib

@@ -171,12 +171,11 @@ $(filter-out %/firmware_lookup,$(EXAMPLES)): $(BUILD)/examples/%: examples/c/%.c
 	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $< $(STATIC) -lm -o $@
 
 # Firmware has no scene and no solver: an array made by `tdsp embed`, and the reader.
-FIRMWARE_SCENE := examples/scenes/firmware_lookup.json
-$(BUILD)/examples/embedded.c: $(FIRMWARE_SCENE) $(COMMAND)
+$(BUILD)/examples/route.c: examples/c/gate.json $(COMMAND)
 	@mkdir -p $(@D)
-	$(BUILD)/tdsp build $(FIRMWARE_SCENE) -o $(BUILD)/examples/embedded.tdsp
-	$(BUILD)/tdsp embed $(BUILD)/examples/embedded.tdsp -o $@
-$(BUILD)/examples/firmware_lookup: examples/c/firmware_lookup.c $(BUILD)/examples/embedded.c $(QUERY)
+	$(BUILD)/tdsp build $< -o $(BUILD)/examples/route.tdsp
+	$(BUILD)/tdsp embed $(BUILD)/examples/route.tdsp -o $@
+$(BUILD)/examples/firmware_lookup: examples/c/firmware_lookup.c $(BUILD)/examples/route.c $(QUERY)
 	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $(filter %.c,$^) $(QUERY) -lm -o $@
 
 .PHONY: examples

@@ -3,10 +3,11 @@
 
     check_snippets.py BUILD PAGE...
 
-In a ```console block each line "$ COMMAND" is run by bash from the top of the checkout, with BUILD in PATH, and the lines after it are what it
-prints, to the letter; a line "..." stands for any lines, and "..." in a line for any text. In a ```sh block `make TARGET` must be
+In a ```console block each line "$ COMMAND" is run by bash with BUILD in PATH, and the lines after it are what it
+prints, to the letter; "..." stands for any text. In a ```sh block `make TARGET` must be
 a target with a line of help and everything else is run and must succeed. A ```c block that has a main() is compiled with warnings as
-errors against the library, and run. Files that commands write go to a directory of their own: build/ in a command is BUILD.
+errors against the library, and run. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
+it happens in a directory of its own per page, in which build/, examples/, docs/ and include/ are those of the checkout.
 """
 import os
 import pathlib
@@ -16,7 +17,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"^```(\w+)[^\n]*\n(.*?)^```", re.M | re.S)
+BLOCK = re.compile(r"^```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
 ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
 
 
@@ -30,7 +31,7 @@ class Page:
         print(f"not ok {what}\n{problem}" if problem else f"ok {what}")
 
     def run(self, command):
-        """Exit status and output of a shell command, in the checkout; what it writes by a bare file name lands in scratch."""
+        """Exit status and output of a shell command."""
         env = dict(os.environ, PATH=f"{self.build}:{os.environ['PATH']}", LC_ALL="C.UTF-8")
         done = subprocess.run(["bash", "-c", command], cwd=self.scratch, env=env, text=True, timeout=300,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
@@ -74,7 +75,9 @@ class Page:
 
     def check(self):
         kinds = {"console": self.console, "sh": self.shell, "c": self.program}
-        for kind, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
+        for kind, file, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
+            if file:
+                (self.scratch / file).write_text(text, encoding="utf-8")
             kinds.get(kind, lambda _: None)(text)
         return self.failed
 

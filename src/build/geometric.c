@@ -1,0 +1,202 @@
+/*
+ * Geometric sampling: Algorithm 1 of Maheshwari, Nouri, Sack (arXiv 1808.01984), its indices mended.
+ *
+ *     a_0 = A(0),  a_i = (1 + eps) a_(i-1),  b_i = sup { t : A(t) <= a_i }
+ *
+ * up to the first a_i that is not under A(t_last), whose row is at t_last. For t in (b_(i-1), b_i] the answer lies over a_(i-1), because t
+ * is after b_(i-1), and not over a_i. Where A jumps over several a_i their rows coincide and one is kept.
+ *
+ * Rounding: let m(a) bound noise and comparisons at an arrival of a. A row ends within 1.5 m under its a_i or at a jump over it, so its
+ * right side certifies at least a_i - 3.5 m, and a_i = (1 + eps) (a_(i-1) - 5 m) keeps the guarantee.
+ *
+ * Rows do not depend on each other: they are solved in batches of a fixed size, each from what was known before its batch, and
+ * then added in order. So the bytes do not depend on how many workers there are, or on who is first.
+ */
+#include <math.h>
+
+#include "build/invert.h"
+#include "build/sampler.h"
+#include "build/trail.h"
+#include "scene/allocator.h"
+
+#define BATCH 16
+#define LOSS 5.0
+#define WINDOW 1.5
+#define ASKED 1.25
+
+typedef struct slot {
+    double target; /* a_i */
+    tdsp_status status;
+    bracket bracket;
+    kept_path path;
+} slot;
+
+typedef struct geometric {
+    sampler *sampler;
+    sample base; /* rows start after this */
+    trail trail; /* up to the last batch */
+    double target; /* the last a_i that was taken or skipped */
+    slot slots[BATCH];
+    size_t count;
+    probe *probes; /* one a worker */
+    size_t probe_count;
+} geometric;
+
+static double next_target(const geometric *g, double a)
+{
+    return (1 + g->sampler->options->epsilon) * (a - LOSS * probe_margin(&g->sampler->probe, a));
+}
+
+/* The largest a (1 + eps)^m that is not over the limit: the targets between lie in a jump that has its row already. */
+static double skip_targets(double a, double ratio, double limit)
+{
+    double power[64];
+    size_t n = 0;
+    for (double square = ratio; n < 64 && a * square <= limit; square *= square) power[n++] = square;
+    while (n > 0) {
+        double skipped = a * power[--n];
+        if (skipped <= limit) a = skipped;
+    }
+    return a;
+}
+
+/* The targets of the next batch. TDSP_NOT_SUPPORTED when the next target drowns in the noise. */
+static tdsp_status take_targets(geometric *g)
+{
+    const sample *last = &g->sampler->domain.last;
+    g->target = skip_targets(g->target, 1 + g->sampler->options->epsilon, g->base.lower);
+    for (g->count = 0; g->count < BATCH;) {
+        double a = next_target(g, g->target);
+        if (!(a > g->target)) return TDSP_NOT_SUPPORTED;
+        if (sample_fits(last, a)) return TDSP_OK;
+        g->target = a;
+        if (sample_fits(&g->base, a)) g->slots[g->count++].target = a;
+    }
+    return TDSP_OK;
+}
+
+/* Where the oracle can be asked backwards, its answer is the place to begin. */
+static tdsp_status seed_of(probe *p, double target, double *seed)
+{
+    *seed = NAN;
+    return p->oracle->latest_departure ? probe_reverse(p, target - ASKED * probe_margin(p, target), seed) : TDSP_OK;
+}
+
+static tdsp_status solve(const geometric *g, probe *p, slot *out)
+{
+    double margin = probe_margin(p, out->target);
+    inversion goal = {.cap = out->target, .slack = WINDOW * margin, .anchor = -INFINITY, .after = g->base.departure};
+    tdsp_status status = seed_of(p, out->target, &goal.seed);
+    if (status != TDSP_OK) return status;
+    trail t = g->trail;
+    out->bracket = (bracket){g->base, g->sampler->domain.last};
+    p->path.departure = -1;
+    status = invert(p, &goal, &t, &out->bracket);
+    int is_row = out->bracket.low.departure > g->sampler->rows.held.departure;
+    if (status == TDSP_OK && is_row) status = sampler_recall_path(p, &out->bracket.low, out->target);
+    kept_path_swap(&out->path, &p->path);
+    return status;
+}
+
+static void solve_task(void *ctx, size_t i, size_t worker)
+{
+    geometric *g = ctx;
+    if (i >= g->count) return;
+    g->slots[i].status = worker < g->probe_count ? solve(g, &g->probes[worker], &g->slots[i]) : TDSP_INVALID_ARGUMENT;
+}
+
+static void run_batch(geometric *g)
+{
+    const tdsp_build_options *options = g->sampler->options;
+    for (size_t i = 0; i < g->count; i++) g->slots[i].status = TDSP_FAILED; /* until it was run */
+    if (g->probes != &g->sampler->probe) options->run_tasks(options->run_tasks_ctx, solve_task, g, g->count);
+    else
+        for (size_t i = 0; i < g->count; i++) solve_task(g, i, 0);
+}
+
+/* Add a solved row. One that coincides with the row held only tells what comes after it. */
+static tdsp_status merge(geometric *g, slot *solved)
+{
+    sampler *s = g->sampler;
+    const bracket *b = &solved->bracket;
+    if (solved->status != TDSP_OK) return solved->status;
+    int closed = bracket_is_closed(b);
+    const sample *after = closed ? &b->high : &b->low;
+    row next = sampler_row(s, &b->low, after->lower);
+    if (next.departure <= s->rows.held.departure) {
+        if (next.departure < s->rows.held.departure) return TDSP_OK;
+        rows_raise_right(&s->rows, next.right);
+    } else {
+        tdsp_status status = rows_add(&s->rows, &next, &solved->path);
+        if (status != TDSP_OK) return status;
+    }
+    g->base = *after;
+    if (closed) trail_restart(&g->trail, after);
+    else trail_note(&g->trail, after);
+    return TDSP_OK;
+}
+
+static tdsp_status merge_batch(geometric *g)
+{
+    for (size_t i = 0; i < g->count; i++) {
+        tdsp_status status = merge(g, &g->slots[i]);
+        if (status != TDSP_OK) return status;
+    }
+    g->sampler->probe.settled = g->sampler->rows.held.departure;
+    return probe_report_progress(&g->sampler->probe);
+}
+
+/* Workers' oracles where there are threads to run them, else the oracle that was given. */
+static tdsp_status begin_probes(geometric *g)
+{
+    sampler *s = g->sampler;
+    const tdsp_build_options *options = s->options;
+    g->probes = &s->probe;
+    g->probe_count = 1;
+    if (!options->run_tasks || !options->workers) return TDSP_OK;
+    g->probes = memory_array(&s->probe.allocator, options->worker_count, sizeof *g->probes);
+    if (!g->probes) return TDSP_NO_MEMORY;
+    g->probe_count = options->worker_count;
+    for (size_t i = 0; i < g->probe_count; i++) g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
+    return TDSP_OK;
+}
+
+static void end_probes(geometric *g)
+{
+    sampler *s = g->sampler;
+    for (size_t i = 0; i < BATCH; i++) kept_path_release(&g->slots[i].path, &s->probe.allocator);
+    if (g->probes == &s->probe || !g->probes) return;
+    for (size_t i = 0; i < g->probe_count; i++) {
+        s->probe.forward_calls += g->probes[i].forward_calls;
+        s->probe.reverse_calls += g->probes[i].reverse_calls;
+        probe_release(&g->probes[i]);
+    }
+    memory_free(&s->probe.allocator, g->probes, g->probe_count * sizeof *g->probes);
+}
+
+static tdsp_status sample_all(geometric *g)
+{
+    sampler *s = g->sampler;
+    row first = sampler_row(s, &g->base, g->base.lower);
+    tdsp_status status = rows_add(&s->rows, &first, &s->domain.first_path);
+    if (s->domain.last.departure == 0 || status != TDSP_OK) return status;
+    do {
+        status = take_targets(g);
+        if (status != TDSP_OK) return status;
+        if (g->count > 0) run_batch(g);
+        status = merge_batch(g);
+    } while (status == TDSP_OK && g->count == BATCH);
+    return status;
+}
+
+tdsp_status sampler_geometric(sampler *s)
+{
+    const sample *first = &s->domain.first;
+    if (!(first->lower > 0)) return TDSP_NOT_SUPPORTED;
+    geometric g = {.sampler = s, .base = *first, .trail = trail_begin(first, &s->domain.last), .target = first->lower};
+    for (size_t i = 0; i < BATCH; i++) g.slots[i].path = kept_path_none();
+    tdsp_status status = begin_probes(&g);
+    if (status == TDSP_OK) status = sample_all(&g);
+    end_probes(&g);
+    return status == TDSP_OK ? sampler_finish(s) : status;
+}

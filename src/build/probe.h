@@ -1,0 +1,79 @@
+/*
+ * The sampler's view of an oracle: every call checked, counted, and turned into certified numbers.
+ *
+ * A sample's value is T(t) or A(t), whichever of the two the rows are placed by; both never decrease over departures (A always, T
+ * where the oracle is monotone in travel). What the oracle says is within
+ *
+ *     noise(t) = error / (1 - error) * (T + time_scale) + 2^-50 A
+ *
+ * of the truth: the first term is the stated error with the computed T in place of the true one, |T' - T| <= error (T + scale) giving
+ * T + scale <= (T' + scale) / (1 - error); the second is eight half units of rounding of A, for the oracle's own sum, for the
+ * subtraction that makes T, and for the sum that a reader of the table makes. An arrival equal to its departure is exact.
+ */
+#ifndef BUILD_PROBE_H
+#define BUILD_PROBE_H
+
+#include "build/kept_path.h"
+#include "tdsp/build.h"
+#include "tdsp/oracle.h"
+#include "tdsp/status.h"
+#include "tdsp/types.h"
+
+typedef struct sample {
+    double departure;
+    double value;       /* as the oracle said it; infinite, like the next three, when there is no way */
+    double lower;       /* certified: value less the noise */
+    double upper;       /* certified: value and the noise */
+    double ceiling;     /* over upper by what the arithmetic of comparing bounds may lose */
+    tdsp_status status; /* TDSP_OK, or why there is no way */
+} sample;
+
+typedef struct probe {
+    const tdsp_oracle *oracle;
+    tdsp_allocator allocator;
+    int by_arrival;          /* values are A(t), not T(t) */
+    tdsp_progress progress;  /* asked before each call; may be NULL */
+    void *progress_ctx;
+    double settled;          /* for progress */
+    double all;
+    uint64_t forward_calls;
+    uint64_t reverse_calls;
+    kept_path path;          /* of the last sample that was kept */
+} probe;
+
+/* Nothing is allocated until a path is kept. */
+probe probe_over(const tdsp_oracle *oracle, const tdsp_allocator *allocator, int by_arrival);
+void probe_release(probe *p);
+
+/* Ask for A(departure). TDSP_OK also when there is no way; TDSP_BAD_ORACLE for NaN, infinity or an arrival before the departure. */
+tdsp_status probe_forward(probe *p, double departure, sample *out);
+
+/*
+ * The same for a departure between two samples, which must be in order with it: TDSP_BAD_ORACLE when the value falls by more than the
+ * noise. Within probe_blur() of a jump an oracle may take the wrong side; there the sample takes its neighbour's numbers.
+ */
+tdsp_status probe_between(probe *p, const sample *low, const sample *high, double departure, sample *out);
+
+/* sup { t : A(t) <= arrival }; 0 when the arrival is too early. Only where the oracle can; only after A(0) was answered. */
+tdsp_status probe_reverse(probe *p, double arrival, double *departure);
+
+/* Keep the path of the last probe_forward() in p->path, where the oracle has paths. */
+tdsp_status probe_keep_path(probe *p, const sample *s);
+
+/* Is this a reason why there is no way? */
+int probe_means_no_way(tdsp_status status);
+
+/* How far a jump may seem displaced. */
+double probe_blur(const probe *p, const sample *s);
+
+/* The most that a sample's ceiling is over its value, at any departure that arrives at `arrival`. */
+double probe_margin(const probe *p, double arrival);
+
+/* Ask whether to go on: TDSP_OK or TDSP_CANCELLED. */
+tdsp_status probe_report_progress(const probe *p);
+
+/* A sample's travel time bounds, whatever its value is. */
+double probe_travel_upper(const probe *p, const sample *s);
+double probe_travel_lower(const probe *p, const sample *s);
+
+#endif

@@ -1,0 +1,32 @@
+/* The two ways of placing rows. Each adds the rows of the whole domain; the writer is left with all but the last, which is held. */
+#ifndef BUILD_SAMPLER_H
+#define BUILD_SAMPLER_H
+
+#include "build/domain.h"
+#include "build/probe.h"
+#include "build/rows.h"
+
+typedef struct sampler {
+    const tdsp_build_options *options;
+    tdsp_monotone monotone;
+    probe probe;
+    domain domain;
+    rows rows;
+} sampler;
+
+/* Each row as late as the guarantee allows. */
+tdsp_status sampler_adaptive(sampler *s);
+
+/* Algorithm 1 of arXiv 1808.01984: A(0) > 0, s->probe.by_arrival, guarantee arrival. */
+tdsp_status sampler_geometric(sampler *s);
+
+/* The row that a sample makes, its value being at least `lower_after` right after it. */
+row sampler_row(const sampler *s, const sample *at, double lower_after);
+
+/* Make sure that p->path is that of the sample: one that an earlier row came by is asked again. */
+tdsp_status sampler_recall_path(probe *p, sample *s, double cap);
+
+/* The last row, and its right side. */
+tdsp_status sampler_finish(sampler *s);
+
+#endif

@@ -9,6 +9,7 @@
 
 #define MOST_RIDES 40000
 #define SAME_TIME 1e-13
+#define NO_MOVE 1e-7 /* where discs touch, a ride and a leg both shorter than this lead nowhere that the ride before does not */
 #define NOWHERE ((size_t)-1)
 
 static const double pi = 3.14159265358979323846;
@@ -93,6 +94,7 @@ static void leave_for_disc(search *s, size_t disc, int side, double x, double y,
     const slow_disc *target = &s->world.discs[disc];
     double heading, length;
     if (!slow_tangent(target, side, x, y, time, &heading, &length)) return;
+    if (s->exploring != NOWHERE && turned < NO_MOVE && length < NO_MOVE) return;
     if (!slow_line_free(&s->world, x, y, heading, time, length)) return;
     const double rest = sqrt((1.0 - target->rate) * (1.0 + target->rate));
     add_ride(s, (slow_ride){disc, side, heading - side * atan2(rest, target->rate), time + length}, turned);

@@ -57,7 +57,7 @@ double slow_clearance(const slow_disc *disc, double x, double y, double time)
 
 double slow_slack(const slow_disc *disc, double x, double y, double time)
 {
-    return SLOW_TOUCH * (fabs(x) + fabs(y) + fabs(disc->x) + fabs(disc->y) + slow_radius(disc, time));
+    return SLOW_ROUNDING + SLOW_TOUCH * (fabs(x) + fabs(y) + fabs(disc->x) + fabs(disc->y) + slow_radius(disc, time));
 }
 
 static int disc_clear(const slow_disc *disc, double x, double y, double time)

@@ -12,6 +12,7 @@
 
 #define SLOW_DISCS 64
 #define SLOW_TOUCH 1e-12 /* a contact less deep than this share of the sizes that meet is no collision */
+#define SLOW_ROUNDING 1e-14 /* nor is one less deep than this share of the journey */
 
 typedef struct slow_disc {
     double x, y;

@@ -207,17 +207,18 @@ static tdsp_disc make_swallowed(maker *m)
     return disc_at(fast.center.x + away * to.x, fast.center.y + away * to.y, radius, chance(m->r, 0.5) ? 0.0 : random_between(m->r, 0.0, 0.1));
 }
 
-/* A disc whose boundary runs through a point: a rational direction, so that the distance is the radius to the last bit or nearly. */
+/* A disc whose boundary runs through a point, exactly: multiples of 1/64 and the triangle 3, 4, 5. */
 static tdsp_disc disc_through(maker *m, tdsp_point end, double inward)
 {
-    static const double directions[][2] = {{0.6, 0.8}, {0.8, -0.6}, {1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}, {0.28, 0.96}};
+    static const double directions[][2] = {{3, 4}, {4, -3}, {5, 0}, {0, 5}, {0, -5}, {4, 3}};
     const double *to = directions[random_below(m->r, 6)];
-    const double radius = random_between(m->r, 0.05, 0.5);
-    return disc_at(end.x + inward * radius * to[0], end.y + radius * to[1], radius, chance(m->r, 0.3) ? 0.0 : any_rate(m->r));
+    const double part = (double)(1 + random_below(m->r, 6)) / 64.0;
+    return disc_at(end.x + inward * part * to[0], end.y + part * to[1], 5.0 * part, chance(m->r, 0.5) ? 0.0 : any_rate(m->r));
 }
 
 static tdsp_disc make_on_source(maker *m)
 {
+    m->source_open = 0.0;
     if (m->i > 1) return disc_around(m->r, m->count, any_rate(m->r));
     if (m->i == 1 && chance(m->r, 0.4)) return disc_at(m->journey->source.x, m->journey->source.y, 0.0, any_rate(m->r));
     return disc_through(m, m->journey->source, chance(m->r, 0.8) ? 1.0 : -1.0);

@@ -104,7 +104,9 @@ TDSP_API tdsp_status tdsp_table_find(const tdsp_table *table, double departure, 
 TDSP_API tdsp_status tdsp_table_arrival(const tdsp_table *table, double departure, double *lower, double *upper);
 
 /**
- * The other direction: leaving at `departure` arrives by `arrival` for certain; no departure after `departure_upper` can.
+ * The other direction: leaving at `departure` arrives by `arrival` for certain; no departure after `departure_upper` can. Either output
+ * may be NULL. An arrival after the last possible one, also infinity, answers the last departure; `departure_upper` is after the last
+ * departure only where a horizon ended the table.
  *
  * @return TDSP_OK; TDSP_ARRIVAL_TOO_EARLY when no row certifies an arrival that early (outputs untouched); TDSP_INVALID_ARGUMENT.
  * O(log rows). Since 0.1.

@@ -1,19 +1,21 @@
 /*
- * When must one leave to arrive by a?
+ * When must one leave to arrive by a? Comparisons and additions only.
  *
  * Safe: the largest t whose upper end is at most a. With i the last row with b_i + left_i <= a (none: too early):
  *   monotone in travel    t = b_i, or later inside row i + 1, whose upper end t + left_(i+1) is at most a up to
  *                         t = a - left_(i+1), rounded down: max_i min(b_i, a - left_i) of the whole table, as left does not decrease.
  *   monotone in arrival   the upper end is the same all over a row: t = b_i.
  *
- * Certain: no departure after u arrives by a. With j the last row with b_j + right_j <= a:
+ * Certain: no departure after u arrives by a, for u = sup { t : lower(t) <= a }. With j the last row with b_j + right_j <= a:
  *   monotone in travel    every t > b_(j+1) has A(t) >= t + T(b_(j+1)+) > b_(j+1) + right_(j+1) > a. In row j + 1 the lower end
- *                         t + right_j is at most a up to t = a - right_j, rounded up. So u = min(b_(j+1), a - right_j), and for the last
- *                         row, after which the table knows only that T does not decrease, a - right_j.
+ *                         t + right_j is at most a up to t = a - right_j. So u = min(b_(j+1), a - right_j), rounded up; for the
+ *                         last row, after which the table knows only that T does not decrease, u = a - right_j.
  *   monotone in arrival   every t > b_(j+1) has A(t) >= b_(j+1) + right_(j+1) > a; and A(t) >= t. So u = min(b_(j+1), a), and for the
- *                         last row a.
- * No such j: u = 0, since every t > 0 has A(t) over a. "At most a" is asked of the rounded ends, the ones that
- * tdsp_table_arrival() answers, so both directions agree: upper(departure) <= a, and lower(t) > a for every t > u.
+ *                         last row u = a.
+ * No such j: u = 0, since every t > 0 has A(t) over a.
+ *
+ * Here lower(t) is the real sum. A sum x is at most a, a double, exactly when x rounded up is: that is how both searches compare.
+ * (Rounded down, lower(t) of a t just after u may still print as a.) departure <= u, since lower(t) <= upper(t).
  */
 #include <math.h>
 
@@ -30,7 +32,7 @@ static int departure_is_safe(const tdsp_table *table, uint64_t row, double arriv
 static int departure_may_follow(const tdsp_table *table, uint64_t row, double arrival)
 {
     double right = table_right(table, row);
-    return right <= DBL_MAX && round_add_down(table_departure(table, row), right) <= arrival;
+    return right <= DBL_MAX && round_add_up(table_departure(table, row), right) <= arrival;
 }
 
 /* The largest t that is safe, given that the rows before `safe` are and that there is one. */
@@ -42,25 +44,12 @@ static double departure_lower(const tdsp_table *table, uint64_t safe, double arr
     return later > departure ? later : departure;
 }
 
-/*
- * The largest double t with t + right rounded down at most a, and no less than the real number a - right. The sum rounds
- * down to a or less exactly while t + right is below the double after a.
- */
-static double departure_solve_up(double arrival, double right)
-{
-    double exact = round_subtract_up(arrival, right);
-    double after = round_next_up(arrival);
-    if (!round_is_finite(after)) return after;
-    double rounded = round_next_down(round_subtract_up(after, right));
-    return rounded > exact ? rounded : exact;
-}
-
 static double departure_upper(const tdsp_table *table, double arrival)
 {
     uint64_t open = query_count(table, arrival, departure_may_follow);
     if (open == 0) return 0;
     int travel = table->monotone == TDSP_MONOTONE_TRAVEL;
-    double solved = travel ? departure_solve_up(arrival, table_right(table, open - 1)) : arrival;
+    double solved = travel ? round_subtract_up(arrival, table_right(table, open - 1)) : arrival;
     if (open == table->rows) return solved;
     double next = table_departure(table, open);
     return next < solved ? next : solved;

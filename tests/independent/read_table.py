@@ -250,7 +250,7 @@ class Table:
         best = b[i]
         if self.monotone == "travel" and i + 1 < self.rows:
             best = max(best, down(Fraction(a) - Fraction(left[i + 1])))
-        open_rows = [j for j in range(self.rows) if math.isfinite(right[j]) and add_down(b[j], right[j]) <= a]
+        open_rows = [j for j in range(self.rows) if math.isfinite(right[j]) and Fraction(b[j]) + Fraction(right[j]) <= a]
         if not open_rows:
             return best, 0.0
         j = open_rows[-1]

@@ -19,12 +19,18 @@
 #define SLACK 1e-3 /* of the allowed increase */
 #define REVERSALS 2
 
-/* The goal of the row after the one held, which starts from the bound `lower`. */
-static inversion goal_after(const sampler *s, double lower)
+/* The goal of the row after the one held, which starts at `base` from the bound `lower`. */
+static inversion goal_after(const sampler *s, const sample *base, double lower)
 {
     double b = s->rows.held.departure;
     double cap = rows_cap(s->options, s->monotone, b, lower);
-    inversion goal = {.cap = cap, .slack = SLACK * (cap - lower), .anchor = -INFINITY, .after = b, .seed = NAN, .reversals = REVERSALS};
+    inversion goal = {.cap = cap,
+                      .slack = SLACK * (cap - lower),
+                      .room = cap - base->ceiling,
+                      .anchor = -INFINITY,
+                      .after = b,
+                      .seed = NAN,
+                      .reversals = REVERSALS};
     if (s->options->guarantee != TDSP_GUARANTEE_ARRIVAL) return goal;
     /* What keeps this from needing more rows than geometric sampling: A(b_i) >= (1 + eps) A(b_(i-1)+) up to noise. */
     if (s->monotone == TDSP_MONOTONE_TRAVEL) goal.anchor = b;
@@ -56,7 +62,7 @@ static tdsp_status step(sampler *s, trail *t, sample *base, int *ended)
 {
     const row *held = &s->rows.held;
     double lower = held->right + (s->probe.by_arrival ? held->departure : 0);
-    inversion goal = goal_after(s, lower);
+    inversion goal = goal_after(s, base, lower);
     if (!sample_fits(base, goal.cap)) return TDSP_NOT_SUPPORTED;
     bracket b = {*base, *base};
     *ended = pass_known(t, goal.cap, &b);

@@ -106,7 +106,7 @@ static tdsp_status close_end(domain *d, probe *p, double seed, sample *high)
     bracket b = {d->last, *high};
     trail t = trail_begin(&b.low, &b.high);
     int inside = seed >= b.low.departure && seed <= b.high.departure;
-    inversion goal = {.cap = DBL_MAX, .slack = 0, .anchor = -INFINITY, .after = 0, .seed = inside ? seed : NAN, .reversals = 0};
+    inversion goal = {.cap = DBL_MAX, .room = DBL_MAX, .anchor = -INFINITY, .seed = inside ? seed : NAN, .reversals = 0};
     tdsp_status status = invert(p, &goal, &t, &b);
     if (status != TDSP_OK) return status;
     d->last = b.low;

@@ -85,7 +85,11 @@ static tdsp_status seed_of(probe *p, double target, double *seed)
 static tdsp_status solve(const geometric *g, probe *p, slot *out)
 {
     double margin = probe_margin(p, out->target);
-    inversion goal = {.cap = out->target, .slack = WINDOW * margin, .anchor = -INFINITY, .after = g->base.departure};
+    inversion goal = {.cap = out->target,
+                      .slack = WINDOW * margin,
+                      .room = out->target - g->base.ceiling,
+                      .anchor = -INFINITY,
+                      .after = g->base.departure};
     tdsp_status status = seed_of(p, out->target, &goal.seed);
     if (status != TDSP_OK) return status;
     trail t = g->trail;

@@ -65,7 +65,8 @@ static double tolerance(const inversion *goal, const sample *s)
 static int is_over(const hunt *h)
 {
     const sample *low = &h->bracket->low;
-    int late_enough = low->departure > h->goal->after && h->goal->cap - low->ceiling <= tolerance(h->goal, low);
+    double rest = h->goal->cap - low->ceiling;
+    int late_enough = low->departure > h->goal->after && rest <= tolerance(h->goal, low) && rest < h->goal->room / 2;
     return late_enough || bracket_is_closed(h->bracket);
 }
 

@@ -4,7 +4,7 @@
     check_snippets.py BUILD PAGE...
 
 In a ```console block each line "$ COMMAND" is run by bash with BUILD in PATH, and the lines after it are what it
-prints, to the letter; "..." stands for any text. In a ```sh block `make TARGET` must be
+prints, apart from the width of columns; "..." stands for any text. In a ```sh block `make TARGET` must be
 a target with a line of help and everything else is run and must succeed. A ```c block that has a main() is compiled with warnings as
 errors against the library, and run. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
 it happens in a directory of its own per page, in which build/, examples/, docs/ and include/ are those of the checkout.
@@ -19,6 +19,11 @@ import tempfile
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
 ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
+
+
+def squeeze(text):
+    """The text with every run of spaces as one, so that columns may be as wide as the numbers shown."""
+    return re.sub(r" *\n *", "\n", re.sub(r"[ \t]+", " ", text)).strip()
 
 
 class Page:
@@ -44,8 +49,8 @@ class Page:
                 more, _, shown = shown.partition("\n")
                 command = command[:-1] + re.sub(r"^> ", "", more)
             _, printed = self.run(command)
-            pattern = re.escape(shown.strip()).replace(r"\.\.\.", ".*?")
-            fine = re.fullmatch(pattern, re.sub(r"[ \t]+$", "", printed, flags=re.M).strip(), re.S)
+            pattern = re.escape(squeeze(shown)).replace(r"\.\.\.", ".*?")
+            fine = re.fullmatch(pattern, squeeze(printed), re.S)
             self.report(f"$ {command}", None if fine else f"shown:\n{shown}printed:\n{printed}")
 
     def shell(self, text):

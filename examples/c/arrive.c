@@ -59,7 +59,7 @@ int main(void)
     must(tdsp_scene_create(&journey, discs, 2, NULL, &scene));
     must(tdsp_solver_create(scene, &solver));
     print_answer(solver, 0.0);
-    print_answer(solver, 60.0);
+    print_answer(solver, 20.0);
     print_answer(solver, 400.0);
     tdsp_solver_free(solver);
     tdsp_scene_free(scene);

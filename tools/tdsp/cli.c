@@ -1,0 +1,119 @@
+/* Errors, options and output common to all commands. */
+#include "cli.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+GQuark cli_error_quark(void)
+{
+    return g_quark_from_static_string("tdsp-cli-error");
+}
+
+gboolean cli_fail(GError **error, int status, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    g_autofree char *message = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    g_set_error_literal(error, CLI_ERROR, status, message);
+    return FALSE;
+}
+
+/* Families of status.h: mistakes of the caller are ours here, for the command line was checked before. */
+static int exit_status_of(tdsp_status status)
+{
+    if (status == TDSP_NEEDS_HORIZON || status == TDSP_TOO_MANY_ROWS || status == TDSP_NOT_SUPPORTED) return CLI_USAGE;
+    if (status >= TDSP_BAD_SCENE && status < TDSP_BAD_ORACLE) return CLI_INPUT;
+    return CLI_SYSTEM;
+}
+
+gboolean cli_fail_status(GError **error, const char *what, tdsp_status status)
+{
+    return cli_fail(error, exit_status_of(status), "%s: %s", what, tdsp_status_text(status));
+}
+
+void cli_warn(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    g_autofree char *message = g_strdup_vprintf(format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "tdsp: warning: %s\n", message);
+}
+
+gboolean cli_print(const GString *text, GError **error)
+{
+    errno = 0;
+    if (fwrite(text->str, 1, text->len, stdout) == text->len && fflush(stdout) == 0) return TRUE;
+    return cli_fail(error, CLI_SYSTEM, "cannot write standard output: %s", g_strerror(errno));
+}
+
+const char *cli_file_name(const char *path)
+{
+    return strcmp(path, "-") == 0 ? "standard input" : path;
+}
+
+int cli_answer(gboolean yes)
+{
+    return yes ? CLI_DONE : CLI_NO;
+}
+
+static char *usage_hint(const CliCommand *command)
+{
+    return g_strdup_printf("(usage: tdsp %s %s; more: tdsp %s --help)", command->name, command->arguments, command->name);
+}
+
+gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc, char ***argv,
+                        GError **error)
+{
+    const GOptionEntry shared[] = {
+        {"json", 0, 0, G_OPTION_ARG_NONE, json, "Print JSON", NULL},
+        G_OPTION_ENTRY_NULL,
+    };
+    g_autoptr(GOptionContext) context = g_option_context_new(command->arguments);
+    GOptionGroup *group = g_option_group_new("main", "", "", data, NULL);
+    g_option_group_add_entries(group, shared);
+    if (entries) g_option_group_add_entries(group, entries);
+    g_option_context_set_main_group(context, group);
+    g_option_context_set_summary(context, command->help);
+    g_autofree char *program = g_strdup_printf("tdsp %s", command->name);
+    g_set_prgname(program);
+    GError *wrong = NULL;
+    if (g_option_context_parse(context, argc, argv, &wrong)) return TRUE;
+    if (wrong->domain == CLI_ERROR) {
+        g_propagate_error(error, wrong);
+        return FALSE;
+    }
+    g_autofree char *hint = usage_hint(command);
+    cli_fail(error, CLI_USAGE, "%s %s", wrong->message, hint);
+    g_error_free(wrong);
+    return FALSE;
+}
+
+/* GOption leaves the separator "--" among the positional arguments. */
+static void drop_separator(int *argc, char **argv)
+{
+    for (int i = 1; i < *argc; i++) {
+        if (strcmp(argv[i], "--") != 0) continue;
+        memmove(argv + i, argv + i + 1, (size_t)(*argc - i) * sizeof *argv);
+        --*argc;
+        return;
+    }
+}
+
+gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv, GError **error)
+{
+    if (!cli_parse_data(command, entries, NULL, json, argc, argv, error)) return FALSE;
+    drop_separator(argc, *argv);
+    return TRUE;
+}
+
+gboolean cli_positional(const CliCommand *command, int argc, int least, int most, GError **error)
+{
+    int given = argc - 1;
+    if (given >= least && (most < 0 || given <= most)) return TRUE;
+    g_autofree char *hint = usage_hint(command);
+    return cli_fail(error, CLI_USAGE, "%s %s", given < least ? "too few arguments" : "too many arguments", hint);
+}

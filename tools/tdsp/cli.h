@@ -1,0 +1,68 @@
+/*
+ * What all commands share: exit statuses, errors that carry them, options, and output.
+ *
+ * A command is a function from its arguments to an exit status. Everything below it that can fail takes a GError whose code
+ * is the exit status that the failure means; only main() prints errors. Results are gathered in memory and written once, so
+ * that a failure half-way leaves standard output empty.
+ */
+#ifndef CLI_H
+#define CLI_H
+
+#include <glib.h>
+
+#include "tdsp/status.h"
+
+/* Exit statuses; part of the command line's contract. */
+enum {
+    CLI_DONE = 0,
+    CLI_NO = 1,     /* the answer is no: no path at any time asked for, nothing to build, verification failed */
+    CLI_USAGE = 2,  /* the command line is wrong */
+    CLI_INPUT = 3,  /* a file's content is wrong */
+    CLI_SYSTEM = 4, /* no such file, cannot write, no memory */
+    CLI_FAILED = -1 /* what a command returns when it has set its error, whose code is the exit status */
+};
+
+/* The domain of errors whose code is one of the exit statuses above. */
+#define CLI_ERROR cli_error_quark()
+GQuark cli_error_quark(void);
+
+typedef struct CliCommand {
+    const char *name;
+    const char *arguments; /* e.g. "SCENE T..." */
+    const char *summary;   /* one line, for the list of commands */
+    const char *help;      /* what it does and prints, with an example */
+    int (*run)(const struct CliCommand *command, int argc, char **argv, GError **error);
+} CliCommand;
+
+/**
+ * Parse options; what is left are the positional arguments, argv[1] on. Prints help and exits where asked to.
+ * Every command has --json: `json` receives it.
+ */
+gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv, GError **error);
+
+/* The same for entries with callbacks, which receive `data`. An error of a callback that is one of ours is handed on as it is. */
+gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc, char ***argv,
+                        GError **error);
+
+/* A usage error unless there are `least` to `most` positional arguments (most < 0: any number). */
+gboolean cli_positional(const CliCommand *command, int argc, int least, int most, GError **error);
+
+/* Set an error: `status` is an exit status. Returns FALSE, so that callers can return it. */
+gboolean cli_fail(GError **error, int status, const char *format, ...) G_GNUC_PRINTF(3, 4);
+
+/* Turn a library status that is no answer into an error about `what`. Returns FALSE. */
+gboolean cli_fail_status(GError **error, const char *what, tdsp_status status);
+
+/* A line on standard error that does not stop the command. */
+void cli_warn(const char *format, ...) G_GNUC_PRINTF(1, 2);
+
+/* Write all of `text` to standard output and make sure that it got there. */
+gboolean cli_print(const GString *text, GError **error);
+
+/* Quote-free name for messages: "standard input" for "-". */
+const char *cli_file_name(const char *path);
+
+/* CLI_DONE or CLI_NO. */
+int cli_answer(gboolean yes);
+
+#endif

@@ -1,0 +1,106 @@
+/* tdsp plot: pictures of scenes and tables. */
+#include <math.h>
+
+#include "commands.h"
+#include "file_in.h"
+#include "file_out.h"
+#include "json_out.h"
+#include "plot_canvas.h"
+#include "plot_curve.h"
+#include "plot_scene.h"
+#include "scene_solver.h"
+#include "times.h"
+
+typedef struct Wanted {
+    gboolean json;
+    char *output, *depart_text;
+    double departure;
+} Wanted;
+
+static void wanted_clear(Wanted *wanted)
+{
+    g_free(wanted->output);
+    g_free(wanted->depart_text);
+}
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Wanted, wanted_clear)
+
+typedef struct Drawn {
+    double arrival; /* of a scene; infinite when there is no path */
+    tdsp_status status;
+} Drawn;
+
+/* A scene without a path is drawn too, for that is when one wants to look at it. */
+static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *drawn, GError **error)
+{
+    SceneFile scene;
+    g_auto(SceneSolver) solver = {0};
+    ScenePicture picture = {.scene = &solver.file, .departure = wanted->departure};
+    if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
+        !scene_solver_take(&scene, &solver, error) ||
+        !scene_solver_arrival(solver.solver, wanted->departure, &picture.arrival, &picture.status, error))
+        return FALSE;
+    g_autoptr(GArray) legs = NULL;
+    legs = picture.status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
+    if (!legs) return FALSE;
+    picture.legs = legs;
+    *drawn = (Drawn){picture.arrival, picture.status};
+    return plot_scene(&picture, wanted->output, error);
+}
+
+static gboolean draw_table(const FileIn *file, const Wanted *wanted, Drawn *drawn, GError **error)
+{
+    g_autofree char *name = g_path_get_basename(file->path);
+    const double *departure = wanted->depart_text ? &wanted->departure : NULL;
+    *drawn = (Drawn){INFINITY, TDSP_OK};
+    if (departure) {
+        drawn->status = tdsp_table_arrival(&file->table, *departure, NULL, &drawn->arrival);
+        if (!tdsp_status_is_answer(drawn->status)) return cli_fail_status(error, "table", drawn->status);
+    }
+    return plot_curve(&file->table, name, departure, wanted->output, error);
+}
+
+static gboolean print(const Wanted *wanted, const FileIn *file, const Drawn *drawn, GError **error)
+{
+    g_auto(JsonOut) out = json_out_new();
+    if (!wanted->json) return TRUE;
+    json_out_begin(&out, '{');
+    json_out_member_string(&out, "file", wanted->output);
+    json_out_member_string(&out, "of", file->kind == FILE_TABLE ? "table" : "scene");
+    json_out_member_number(&out, "departure", file->kind == FILE_TABLE && !wanted->depart_text ? INFINITY : wanted->departure);
+    json_out_member_number(&out, "arrival", drawn->arrival);
+    json_out_member_string(&out, "status", tdsp_status_name(drawn->status));
+    json_out_end(&out, '}');
+    return json_out_print(&out, error);
+}
+
+static gboolean parse_wanted(Wanted *wanted, GError **error)
+{
+    g_autoptr(GArray) times = times_new();
+    if (!wanted->output) return cli_fail(error, CLI_USAGE, "-o FILE is missing: where to draw, .svg or .png");
+    if (!canvas_check_name(wanted->output, error)) return FALSE;
+    if (!wanted->depart_text) return TRUE;
+    if (!times_add(times, wanted->depart_text, "--depart", error)) return FALSE;
+    wanted->departure = g_array_index(times, double, 0);
+    return TRUE;
+}
+
+int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error)
+{
+    g_auto(Wanted) wanted = {0};
+    g_auto(FileIn) file = {0};
+    Drawn drawn = {INFINITY, TDSP_OK};
+    const GOptionEntry entries[] = {
+        {"output", 'o', 0, G_OPTION_ARG_FILENAME, &wanted.output, "Draw to FILE, which ends in .svg or .png", "FILE"},
+        {"depart", 0, 0, G_OPTION_ARG_STRING, &wanted.depart_text, "Departure to draw (default 0), or to mark in a table", "T"},
+        G_OPTION_ENTRY_NULL,
+    };
+    if (!cli_parse(command, entries, &wanted.json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error) ||
+        !parse_wanted(&wanted, error))
+        return CLI_FAILED;
+    const char *const inputs[] = {argv[1], NULL};
+    if (!file_out_check(wanted.output, inputs, error) || !file_in_load(argv[1], &file, error)) return CLI_FAILED;
+    gboolean done = file.kind == FILE_TABLE ? draw_table(&file, &wanted, &drawn, error) : draw_scene(&file, &wanted, &drawn, error);
+    if (!done || !print(&wanted, &file, &drawn, error)) return CLI_FAILED;
+    if (drawn.status != TDSP_OK) cli_warn("no path at this departure: %s", tdsp_status_text(drawn.status));
+    return CLI_DONE;
+}

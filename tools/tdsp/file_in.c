@@ -1,0 +1,85 @@
+/* Reading input files and telling their kinds apart. */
+#include "file_in.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli.h"
+
+static gboolean fail_read(GError **error, const char *path, const char *reason)
+{
+    return cli_fail(error, CLI_SYSTEM, "cannot read %s: %s", cli_file_name(path), reason);
+}
+
+/* TRUE and all bytes of `stream`, or FALSE with errno. */
+static gboolean read_stream(FILE *stream, GString *into)
+{
+    char block[65536];
+    gsize got;
+    while ((got = fread(block, 1, sizeof block, stream)) > 0) g_string_append_len(into, block, (gssize)got);
+    return !ferror(stream);
+}
+
+gboolean file_in_read(const char *path, char **text, gsize *length, GError **error)
+{
+    gboolean standard = strcmp(path, "-") == 0;
+    FILE *stream = standard ? stdin : fopen(path, "rb");
+    if (!stream) return fail_read(error, path, g_strerror(errno));
+    GString *content = g_string_new(NULL);
+    gboolean whole = read_stream(stream, content);
+    int code = errno;
+    if (!standard) fclose(stream);
+    if (!whole) {
+        g_string_free(content, TRUE);
+        return fail_read(error, path, g_strerror(code));
+    }
+    *length = content->len;
+    *text = g_string_free(content, FALSE);
+    return TRUE;
+}
+
+/* JSON begins with a bracket after white space; a byte order mark is let pass. */
+static gboolean looks_like_json(const char *text)
+{
+    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3;
+    text += strspn(text, " \t\r\n");
+    return *text == '{' || *text == '[';
+}
+
+gboolean file_in_load(const char *path, FileIn *file, GError **error)
+{
+    FileIn loaded = {.path = path};
+    if (!file_in_read(path, &loaded.text, &loaded.length, error)) return FALSE;
+    tdsp_status status = TDSP_BAD_MAGIC;
+    if (looks_like_json(loaded.text)) {
+        loaded.kind = FILE_JSON;
+    } else if ((status = tdsp_table_open(&loaded.table, loaded.text, loaded.length)) == TDSP_OK) {
+        loaded.kind = FILE_TABLE;
+    } else {
+        gboolean foreign = status == TDSP_BAD_MAGIC || loaded.length == 0;
+        file_in_clear(&loaded);
+        if (foreign) return cli_fail(error, CLI_INPUT, "%s: neither JSON nor a table", cli_file_name(path));
+        return cli_fail_status(error, cli_file_name(path), status);
+    }
+    *file = loaded;
+    return TRUE;
+}
+
+gboolean file_in_load_table(const char *path, FileIn *file, GError **error)
+{
+    FileIn loaded;
+    if (!file_in_load(path, &loaded, error)) return FALSE;
+    if (loaded.kind != FILE_TABLE) {
+        file_in_clear(&loaded);
+        return cli_fail(error, CLI_INPUT, "%s: not a table (make one of a scene with tdsp build)", cli_file_name(path));
+    }
+    *file = loaded;
+    return TRUE;
+}
+
+void file_in_clear(FileIn *file)
+{
+    g_clear_pointer(&file->text, g_free);
+    file->length = 0;
+}

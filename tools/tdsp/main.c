@@ -1,0 +1,169 @@
+/* The command `tdsp`: picks the command and reports its error. The texts of all commands stand in one table here. */
+#include <glib.h>
+#include <locale.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "commands.h"
+#include "suggest.h"
+#include "tdsp/types.h"
+
+#define SUGGESTED_DISTANCE 2 /* edits from a mistyped command to the one that was meant */
+
+static const CliCommand commands[] = {
+    {"arrive", "SCENE T...", "exact earliest arrivals for departures",
+     "Print the earliest arrival at the destination for each departure T, exactly.\n"
+     "SCENE may be - for standard input.\n\n"
+     "Example:\n  tdsp arrive examples/scenes/two-discs.json 0 5 9.8496 9.8497",
+     cmd_arrive},
+    {"depart", "SCENE A...", "exact latest departures for arrivals",
+     "Print for each arrival A the latest departure that still arrives at A or before, exactly.\n\n"
+     "Example:\n  tdsp depart examples/scenes/two-discs.json 30.35 33",
+     cmd_depart},
+    {"path", "SCENE|TABLE T", "the path of one departure, leg by leg",
+     "Print the path for departure T as legs: of a scene the fastest one, of a table the path\n"
+     "of the row that answers T, moved earlier. With --at only the robot's position at that time.\n\n"
+     "Example:\n  tdsp path examples/scenes/two-discs.json 5 --at 12.5",
+     cmd_path},
+    {"build", "SCENE -o TABLE", "a table of certified arrivals, from a scene",
+     "Sample the exact arrivals of a scene into a table that answers every departure with a\n"
+     "certified interval and a path. The guarantee: travel times within 1 + E (travel), arrival\n"
+     "times within 1 + E (arrival), or arrivals within D (absolute).\n\n"
+     "Example:\n  tdsp build examples/scenes/two-discs.json -o two-discs.tdsp --epsilon 0.01",
+     cmd_build},
+    {"query", "TABLE T...", "certified arrival intervals, from a table",
+     "Print for each departure T an interval that holds the earliest arrival for certain. With\n"
+     "--arrive-by, for each arrival A a departure that arrives by A for certain, and one after\n"
+     "which nothing can.\n\n"
+     "Examples:\n  tdsp query two-discs.tdsp 0 2.5 5\n  tdsp query two-discs.tdsp --arrive-by 30.35 33\n"
+     "  tdsp query two-discs.tdsp --times departures.txt",
+     cmd_query},
+    {"info", "TABLE", "what a table holds",
+     "Print the facts of a table: size, guarantee, ends of the departures, jumps.\n\n"
+     "Example:\n  tdsp info two-discs.tdsp",
+     cmd_info},
+    {"verify", "SCENE TABLE|PATH", "check a table or a path against its scene",
+     "Check a table, or the output of `tdsp path --json`, against its scene by means that share no\n"
+     "code with the search. Exit status 1 when anything is wrong. --deep N also solves N departures again.\n\n"
+     "Example:\n  tdsp verify examples/scenes/two-discs.json two-discs.tdsp --deep 20",
+     cmd_verify},
+    {"plot", "SCENE|TABLE -o FILE", "a picture, SVG or PNG",
+     "Draw a scene with its fastest path, or the travel times of a table. The ending of FILE\n"
+     "decides: .svg or .png.\n\n"
+     "Examples:\n  tdsp plot examples/scenes/two-discs.json -o scene.svg --depart 5\n"
+     "  tdsp plot two-discs.tdsp -o travel-times.png",
+     cmd_plot},
+    {"embed", "TABLE -o FILE.c", "a table as a C array, for firmware",
+     "Write a table as C source: a const array in flash, to be opened in place.\n\n"
+     "Example:\n  tdsp embed two-discs.tdsp -o two_discs.c",
+     cmd_embed},
+    {"generate", "KIND", "a made-up scene",
+     "Print a scene of a KIND: random (discs of all sizes), crowd (equal discs), wall (columns of\n"
+     "touching discs with gaps), mixed (three growth rates), nsquared (the paper's construction, whose\n"
+     "travel time has very many pieces).\n\n"
+     "Example:\n  tdsp generate crowd --n 300 --seed 7 > crowd.json",
+     cmd_generate},
+};
+
+static const CliCommand *find_command(const char *name)
+{
+    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
+        if (strcmp(commands[i].name, name) == 0) return &commands[i];
+    return NULL;
+}
+
+static const char *nearest_command(const char *name)
+{
+    const char *nearest = NULL;
+    guint least = SUGGESTED_DISTANCE + 1;
+    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++) {
+        guint distance = suggest_distance(name, commands[i].name);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = commands[i].name;
+    }
+    return nearest;
+}
+
+static void append_usage(GString *text)
+{
+    g_string_append(text, "usage: tdsp COMMAND ARGUMENTS [OPTIONS]\n\n"
+                          "Earliest arrivals among growing discs, and tables of them.\n\n");
+    for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
+        g_string_append_printf(text, "  %-9s %-20s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
+    g_string_append(text, "\n  tdsp COMMAND --help tells more; every command takes --json; tdsp --version\n"
+                          "  Exit status: 0 done, 1 the answer is no, 2 usage, 3 invalid input, 4 the system failed\n");
+}
+
+static int report(const char *command, const GError *error)
+{
+    fprintf(stderr, "tdsp%s%s: %s\n", command ? " " : "", command ? command : "", error->message);
+    return error->domain == CLI_ERROR ? error->code : CLI_SYSTEM;
+}
+
+static int print_usage(void)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    g_autoptr(GError) error = NULL;
+    append_usage(text);
+    return cli_print(text, &error) ? CLI_DONE : report(NULL, error);
+}
+
+static int print_version(void)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    g_autoptr(GError) error = NULL;
+    g_string_printf(text, "tdsp %s\n", tdsp_version());
+    return cli_print(text, &error) ? CLI_DONE : report(NULL, error);
+}
+
+static int no_command(void)
+{
+    g_autoptr(GString) text = g_string_new(NULL);
+    append_usage(text);
+    fputs(text->str, stderr);
+    return CLI_USAGE;
+}
+
+static int unknown_command(const char *name)
+{
+    const char *nearest = nearest_command(name);
+    fprintf(stderr, "tdsp: no command \"%s\"", name);
+    if (nearest)
+        fprintf(stderr, "; did you mean \"%s\"?\n", nearest);
+    else
+        fprintf(stderr, " (tdsp --help lists them)\n");
+    return CLI_USAGE;
+}
+
+static int run(const CliCommand *command, int argc, char **argv)
+{
+    g_autoptr(GError) error = NULL;
+    int status = command->run(command, argc, argv, &error);
+    return error ? report(command->name, error) : status;
+}
+
+/* `tdsp help COMMAND` is `tdsp COMMAND --help`. */
+static int help(int argc, char **argv)
+{
+    if (argc < 3) return print_usage();
+    const CliCommand *command = find_command(argv[2]);
+    if (!command) return unknown_command(argv[2]);
+    char option[] = "--help";
+    char *arguments[] = {argv[0], option, NULL};
+    return run(command, 2, arguments);
+}
+
+int main(int argc, char **argv)
+{
+    /* Only how characters are written; numbers look the same everywhere. */
+    setlocale(LC_CTYPE, "");
+    if (argc < 2) return no_command();
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) return print_usage();
+    if (strcmp(argv[1], "--version") == 0) return print_version();
+    if (strcmp(argv[1], "help") == 0) return help(argc, argv);
+    const CliCommand *command = find_command(argv[1]);
+    return command ? run(command, argc - 1, argv + 1) : unknown_command(argv[1]);
+}

@@ -1,0 +1,25 @@
+/* Labels that avoid each other, what they would hide, and the edge of the picture. */
+#ifndef PLOT_LABELS_H
+#define PLOT_LABELS_H
+
+#include "plot_frame.h"
+
+typedef struct Labels {
+    const Frame *frame;
+    GArray *boxes;     /* of Box: labels and marks that exist */
+    GArray *obstacles; /* of tdsp_point on the canvas: better not hidden */
+} Labels;
+
+Labels labels_new(const Frame *frame);
+void labels_clear(Labels *labels);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Labels, labels_clear)
+
+/* Something at (x, y) that labels may not cover. */
+void labels_add_mark(Labels *labels, double x, double y, double radius);
+/* A point of a line that labels should not cover. */
+void labels_add_obstacle(Labels *labels, double x, double y);
+
+/* Write `text` beside (x, y), at about `distance`, where it hides least. FALSE when there is no room: nothing is written. */
+gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double distance, const TextStyle *style, const char *text);
+
+#endif

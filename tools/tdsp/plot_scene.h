@@ -1,0 +1,18 @@
+/* The picture of a scene. */
+#ifndef PLOT_SCENE_H
+#define PLOT_SCENE_H
+
+#include "scene_file.h"
+
+/* What is drawn: the scene for a robot that leaves at `departure`, and its path. */
+typedef struct ScenePicture {
+    const SceneFile *scene;
+    double departure;
+    double arrival; /* infinite when there is no path */
+    tdsp_status status;
+    const GArray *legs; /* of tdsp_leg */
+} ScenePicture;
+
+gboolean plot_scene(const ScenePicture *picture, const char *path, GError **error);
+
+#endif

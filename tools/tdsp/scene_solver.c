@@ -1,0 +1,59 @@
+/* A scene file with a solver for it. */
+#include "scene_solver.h"
+
+#include <math.h>
+
+#include "cli.h"
+#include "stopwatch.h"
+
+gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
+{
+    SceneSolver made = {.file = *file};
+    *file = (SceneFile){0};
+    Stopwatch watch = stopwatch_start();
+    tdsp_status status = tdsp_solver_create(made.file.scene, &made.solver);
+    made.prepare_seconds = made.file.prepare_seconds + stopwatch_seconds(watch);
+    if (status != TDSP_OK) {
+        scene_solver_clear(&made);
+        return cli_fail_status(error, "solver", status);
+    }
+    *out = made;
+    return TRUE;
+}
+
+gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error)
+{
+    SceneFile file;
+    return scene_file_load(path, &file, error) && scene_solver_take(&file, out, error);
+}
+
+void scene_solver_clear(SceneSolver *solver)
+{
+    g_clear_pointer(&solver->solver, tdsp_solver_free);
+    scene_file_clear(&solver->file);
+}
+
+GArray *scene_solver_path(const tdsp_solver *solver, GError **error)
+{
+    size_t count;
+    tdsp_status status = tdsp_solver_path(solver, NULL, 0, &count);
+    if (status != TDSP_OK && status != TDSP_BUFFER_TOO_SMALL) {
+        cli_fail_status(error, "path", status);
+        return NULL;
+    }
+    GArray *legs = g_array_sized_new(FALSE, TRUE, sizeof(tdsp_leg), (guint)count);
+    g_array_set_size(legs, (guint)count);
+    status = tdsp_solver_path(solver, (tdsp_leg *)(void *)legs->data, count, &count);
+    if (status == TDSP_OK) return legs;
+    g_array_unref(legs);
+    cli_fail_status(error, "path", status);
+    return NULL;
+}
+
+gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arrival, tdsp_status *status, GError **error)
+{
+    *status = tdsp_earliest_arrival(solver, departure, arrival);
+    if (!tdsp_status_is_answer(*status)) return cli_fail_status(error, "solver", *status);
+    if (*status != TDSP_OK) *arrival = INFINITY;
+    return TRUE;
+}

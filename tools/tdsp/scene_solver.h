@@ -1,0 +1,26 @@
+/* A scene file with a solver for it. */
+#ifndef SCENE_SOLVER_H
+#define SCENE_SOLVER_H
+
+#include "scene_file.h"
+#include "tdsp/solver.h"
+
+typedef struct SceneSolver {
+    SceneFile file;
+    tdsp_solver *solver;
+    double prepare_seconds; /* of the scene and the solver; reading the file is not counted */
+} SceneSolver;
+
+gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error);
+/* Make a solver for a scene file that was read; takes the file over. */
+gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error);
+void scene_solver_clear(SceneSolver *solver);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(SceneSolver, scene_solver_clear)
+
+/* The legs of the solver's last answer (of tdsp_leg). NULL on failure. */
+GArray *scene_solver_path(const tdsp_solver *solver, GError **error);
+
+/* A(departure), infinite when there is no way, and the answer. FALSE for an error. */
+gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arrival, tdsp_status *status, GError **error);
+
+#endif

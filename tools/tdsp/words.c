@@ -1,0 +1,54 @@
+/* Words for values. Each list is in the order of its enumeration (tdsp/types.h). */
+#include "words.h"
+
+#include <string.h>
+
+#include "cli.h"
+#include "tdsp/types.h"
+
+static const char *const guarantees[] = {"travel", "arrival", "absolute", NULL};
+static const char *const samplings[] = {"adaptive", "geometric", NULL};
+static const char *const monotones[] = {"travel", "arrival", NULL};
+
+static const char *word_of(const char *const *words, guint32 value)
+{
+    return value < g_strv_length((char **)(gpointer)words) ? words[value] : "unknown";
+}
+
+const char *words_guarantee(guint32 guarantee)
+{
+    return word_of(guarantees, guarantee);
+}
+
+const char *words_sampling(guint32 sampling)
+{
+    return word_of(samplings, sampling);
+}
+
+const char *words_monotone(guint32 monotone)
+{
+    return word_of(monotones, monotone);
+}
+
+static gboolean parse(const char *const *words, const char *option, const char *word, guint32 *value, GError **error)
+{
+    *value = 0;
+    if (!word) return TRUE;
+    for (guint32 i = 0; words[i]; i++) {
+        if (strcmp(words[i], word) != 0) continue;
+        *value = i;
+        return TRUE;
+    }
+    g_autofree char *list = g_strjoinv(", ", (char **)(gpointer)words);
+    return cli_fail(error, CLI_USAGE, "%s \"%s\": must be one of %s", option, word, list);
+}
+
+gboolean words_parse_guarantee(const char *option, const char *word, guint32 *value, GError **error)
+{
+    return parse(guarantees, option, word, value, error);
+}
+
+gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error)
+{
+    return parse(samplings, option, word, value, error);
+}

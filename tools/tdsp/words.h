@@ -1,0 +1,16 @@
+/* The words of the command line for the values that tables store. */
+#ifndef WORDS_H
+#define WORDS_H
+
+#include <glib.h>
+
+/* "travel", "arrival", "absolute"; "unknown" for any other value. */
+const char *words_guarantee(guint32 guarantee);
+const char *words_sampling(guint32 sampling);
+const char *words_monotone(guint32 monotone);
+
+/* The value of a word, or a usage error about `option` that lists the words. NULL is the first word. */
+gboolean words_parse_guarantee(const char *option, const char *word, guint32 *value, GError **error);
+gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error);
+
+#endif

@@ -171,7 +171,7 @@ $(filter-out %/firmware_lookup,$(EXAMPLES)): $(BUILD)/examples/%: examples/c/%.c
 	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $< $(STATIC) -lm -o $@
 
 # Firmware has no scene and no solver: an array made by `tdsp embed`, and the reader.
-$(BUILD)/examples/route.c: examples/c/gate.json $(COMMAND)
+$(BUILD)/examples/route.c: examples/scenes/two-discs.json $(COMMAND)
 	@mkdir -p $(@D)
 	$(BUILD)/tdsp build $< -o $(BUILD)/examples/route.tdsp
 	$(BUILD)/tdsp embed $(BUILD)/examples/route.tdsp -o $@

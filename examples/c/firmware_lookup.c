@@ -1,8 +1,8 @@
 /*
  * A robot's firmware: the table is an array in flash, and two headers are all that is needed. No heap, no files, no solver.
  *
- * The array is made on a workstation from examples/c/gate.json:
- *     tdsp build gate.json -o route.tdsp
+ * The array is made on a workstation from examples/scenes/two-discs.json:
+ *     tdsp build two-discs.json -o route.tdsp
  *     tdsp embed route.tdsp -o route.c
  * This file and route.c link with libtdsp-query.a. Printing stands for what firmware does with its motors.
  */

@@ -80,8 +80,10 @@ static int bound_is_valid(const tdsp_build_options *options)
 {
     switch (options->guarantee) {
     case TDSP_GUARANTEE_TRAVEL:
-    case TDSP_GUARANTEE_ARRIVAL: return options->epsilon >= MIN_EPSILON && options->epsilon <= MAX_EPSILON;
-    case TDSP_GUARANTEE_ABSOLUTE: return options->delta > 0 && options->delta <= DBL_MAX;
+    case TDSP_GUARANTEE_ARRIVAL:
+        return options->epsilon >= MIN_EPSILON && options->epsilon <= MAX_EPSILON;
+    case TDSP_GUARANTEE_ABSOLUTE:
+        return options->delta > 0 && options->delta <= DBL_MAX;
     }
     return 0;
 }
@@ -150,8 +152,8 @@ static tdsp_status sample_and_write(sampler *s, void **bytes, size_t *length)
     return writer_finish(s->rows.writer, &header, bytes, length);
 }
 
-tdsp_status tdsp_build(const tdsp_oracle *oracle, const tdsp_build_options *options, const tdsp_allocator *allocator, void **bytes,
-                       size_t *length, tdsp_build_report *report)
+tdsp_status tdsp_build(const tdsp_oracle *oracle, const tdsp_build_options *options, const tdsp_allocator *allocator,
+                       void **bytes, size_t *length, tdsp_build_report *report)
 {
     if (!bytes || !length || !oracle_is_valid(oracle) || !options_are_valid(options, oracle)) return TDSP_INVALID_ARGUMENT;
     if (allocator && !allocator->resize) return TDSP_INVALID_ARGUMENT;

@@ -1,9 +1,10 @@
 /*
  * Finding t_last = sup { t : A(t) < infinity }.
  *
- * Where there is no way for t there is none for any later t, so t_last is found like a jump: some departure with an answer, some
- * without, and halving down to neighbouring doubles, seeded by latest_departure(infinity) where the oracle has it. The forward function has
- * the last word: the last row has a path.
+ * Where there is no way for t there is none for any later t. latest_departure(infinity) is the end where the oracle has it, if there is an
+ * answer there and none a little later, by all that the stated error could mean. Else t_last is found like a jump: some departure with an
+ * answer, some without, and halving down to error * (T + time_scale), or neighbouring doubles where no error is stated. The forward
+ * function has the last word: the last row has a path.
  *
  * Without latest_departure and without a horizon a departure without an answer is looked for at unit * 2^1, 2^2, 2^4, 2^8, ..., where the
  * unit is the larger of T(0) and the oracle's time scale (1 where both are 0). It is given up, TDSP_NEEDS_HORIZON, once the travel time drowns
@@ -19,6 +20,7 @@
 #include "scene/allocator.h"
 
 #define LAST_EXPONENT 256
+#define GROWTH 16
 #define LATEST 0x1p500 /* later departures are not worth overflowing an oracle's squares for */
 
 static tdsp_status keep_low(domain *d, probe *p, const sample *s)
@@ -29,24 +31,11 @@ static tdsp_status keep_low(domain *d, probe *p, const sample *s)
     return probe_keep_path(p, s);
 }
 
-/* Upwards from a departure with an answer that should be the last, until one has none. The steps grow from the next double on. */
-static tdsp_status climb(domain *d, probe *p, sample *high)
+/* How near to the end is near enough: what the stated error leaves open. */
+static double resolution(const probe *p, const sample *s)
 {
-    double reach = 0;
-    double start = d->last.departure;
-    do {
-        sample s;
-        tdsp_status status = probe_forward(p, fmax(start + reach, round_next_up(d->last.departure)), &s);
-        if (status != TDSP_OK) return status;
-        if (s.status != TDSP_OK) {
-            *high = s;
-            return TDSP_OK;
-        }
-        status = keep_low(d, p, &s);
-        if (status != TDSP_OK) return status;
-        reach = fmax(reach * 16, probe_blur(p, &s) / 4096);
-    } while (d->last.departure < LATEST);
-    return TDSP_BAD_ORACLE;
+    double travel = p->by_arrival ? s->value - s->departure : s->value;
+    return p->oracle->error * (travel + p->oracle->time_scale);
 }
 
 static int drowned(const probe *p, const sample *s, double unit)
@@ -84,29 +73,56 @@ static tdsp_status ask_last(probe *p, double *seed)
     return p->oracle->latest_departure ? probe_reverse(p, INFINITY, seed) : TDSP_OK;
 }
 
-/* Some departure without an answer, where no horizon is given. d->last becomes the latest one seen with an answer. */
-static tdsp_status find_end_beyond(domain *d, probe *p, double *seed, sample *high)
+/*
+ * From a seed with an answer upwards, until a departure has none: that becomes high. The first step is over all that the oracle's error
+ * could mean; when it has no answer, the seed is the end.
+ */
+static tdsp_status climb(domain *d, probe *p, sample *high)
 {
-    tdsp_status status = ask_last(p, seed);
-    if (status != TDSP_OK) return status;
-    if (isnan(*seed)) return expand(d, p, high);
-    if (isinf(*seed)) return TDSP_NEEDS_HORIZON;
-    sample s;
-    status = probe_forward(p, *seed, &s);
-    if (status != TDSP_OK) return status;
-    *high = s;
-    if (s.status != TDSP_OK) return TDSP_OK;
-    status = keep_low(d, p, &s);
-    return status == TDSP_OK ? climb(d, p, high) : status;
+    double start = d->last.departure;
+    for (double reach = probe_blur(p, &d->last); start + reach < high->departure; reach *= GROWTH) {
+        sample s;
+        if (start + reach > LATEST) return TDSP_BAD_ORACLE;
+        tdsp_status status = probe_forward(p, start + reach, &s);
+        if (status != TDSP_OK) return status;
+        if (s.status != TDSP_OK) {
+            *high = s;
+            return TDSP_OK;
+        }
+        status = keep_low(d, p, &s);
+        if (status != TDSP_OK) return status;
+    }
+    return TDSP_OK;
 }
 
-/* The last departure with an answer, between d->last, which has one, and high, which has none. */
+/* What the seed says: an answer there is followed up, none makes it the new high. *settled when the seed is the end. */
+static tdsp_status try_seed(domain *d, probe *p, double seed, sample *high, int *settled)
+{
+    *settled = 0;
+    if (seed >= high->departure) return TDSP_OK;
+    sample s = d->first;
+    if (seed > 0) {
+        tdsp_status status = probe_forward(p, seed, &s);
+        if (status != TDSP_OK) return status;
+        if (s.status == TDSP_OK) status = keep_low(d, p, &s);
+        if (status != TDSP_OK) return status;
+    }
+    if (s.status != TDSP_OK) {
+        *high = s;
+        return TDSP_OK;
+    }
+    tdsp_status status = climb(d, p, high);
+    *settled = d->last.departure == seed;
+    return status;
+}
+
+/* The last departure with an answer, to the stated resolution, between d->last, which has one, and high, which has none. */
 static tdsp_status close_end(domain *d, probe *p, double seed, sample *high)
 {
     bracket b = {d->last, *high};
     trail t = trail_begin(&b.low, &b.high);
-    int inside = seed >= b.low.departure && seed <= b.high.departure;
-    inversion goal = {.cap = DBL_MAX, .room = DBL_MAX, .anchor = -INFINITY, .seed = inside ? seed : NAN, .reversals = 0};
+    inversion goal = {.cap = DBL_MAX, .room = DBL_MAX, .anchor = -INFINITY, .width = resolution(p, &b.low)};
+    goal.seed = seed > b.low.departure ? seed : NAN;
     tdsp_status status = invert(p, &goal, &t, &b);
     if (status != TDSP_OK) return status;
     d->last = b.low;
@@ -125,17 +141,25 @@ static tdsp_status find_reason(domain *d, probe *p, const sample *high)
     return probe_means_no_way(d->reason) ? TDSP_OK : TDSP_BAD_ORACLE;
 }
 
-/* Departures end by themselves. `high` has no answer; NULL: it is still to be found. */
-static tdsp_status end_by_oracle(domain *d, probe *p, const sample *known)
+/* Some departure without an answer, and the end if the oracle knows it. high is where a search may stop: at the horizon, or nowhere. */
+static tdsp_status bound_end(domain *d, probe *p, double *seed, sample *high, int *settled)
 {
-    sample high;
+    int beyond = isinf(high->departure);
+    *settled = 0;
+    tdsp_status status = ask_last(p, seed);
+    if (status != TDSP_OK) return status;
+    if (isnan(*seed)) return beyond ? expand(d, p, high) : TDSP_OK;
+    if (isinf(*seed)) return beyond ? TDSP_NEEDS_HORIZON : TDSP_BAD_ORACLE;
+    return try_seed(d, p, *seed, high, settled);
+}
+
+/* Departures end by themselves, before `high`, which has no answer. */
+static tdsp_status end_by_oracle(domain *d, probe *p, sample high)
+{
     double seed;
-    tdsp_status status;
-    if (known) {
-        high = *known;
-        status = ask_last(p, &seed);
-    } else status = find_end_beyond(d, p, &seed, &high);
-    if (status == TDSP_OK) status = close_end(d, p, seed, &high);
+    int settled;
+    tdsp_status status = bound_end(d, p, &seed, &high, &settled);
+    if (status == TDSP_OK && !settled) status = close_end(d, p, seed, &high);
     if (status != TDSP_OK) return status;
     kept_path_swap(&d->last_path, &p->path);
     return find_reason(d, p, &high);
@@ -157,11 +181,11 @@ static tdsp_status end_at_horizon(domain *d, probe *p)
 
 static tdsp_status find_end(domain *d, probe *p, double horizon)
 {
-    if (isinf(horizon)) return end_by_oracle(d, p, NULL);
-    sample s;
+    sample s = {.departure = INFINITY, .status = TDSP_UNREACHABLE};
+    if (isinf(horizon)) return end_by_oracle(d, p, s);
     tdsp_status status = probe_forward(p, horizon, &s);
     if (status != TDSP_OK) return status;
-    if (s.status != TDSP_OK) return end_by_oracle(d, p, &s);
+    if (s.status != TDSP_OK) return end_by_oracle(d, p, s);
     status = keep_low(d, p, &s);
     return status == TDSP_OK ? end_at_horizon(d, p) : status;
 }

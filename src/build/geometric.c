@@ -10,7 +10,8 @@
  * right side certifies at least a_i - 3.5 m, and a_i = (1 + eps) (a_(i-1) - 5 m) keeps the guarantee.
  *
  * Rows do not depend on each other: they are solved in batches of a fixed size, each from what was known before its batch, and
- * then added in order. So the bytes do not depend on how many workers there are, or on who is first.
+ * then added in order. So the bytes do not depend on how many workers there are, or on who is first. Without workers a row is added at
+ * once, and targets that turn out to lie in its jump need no call.
  */
 #include <math.h>
 
@@ -33,8 +34,10 @@ typedef struct slot {
 
 typedef struct geometric {
     sampler *sampler;
-    sample base; /* rows start after this */
-    trail trail; /* up to the last batch */
+    sample base; /* what the rows added so far leave to start from */
+    trail trail;
+    sample batch_base; /* the same when the batch began: what its rows start from */
+    trail batch_trail;
     double target; /* the last a_i that was taken or skipped */
     slot slots[BATCH];
     size_t count;
@@ -52,7 +55,8 @@ static double skip_targets(double a, double ratio, double limit)
 {
     double power[64];
     size_t n = 0;
-    for (double square = ratio; n < 64 && a * square <= limit; square *= square) power[n++] = square;
+    for (double square = ratio; n < 64 && a * square <= limit; square *= square)
+        power[n++] = square;
     while (n > 0) {
         double skipped = a * power[--n];
         if (skipped <= limit) a = skipped;
@@ -87,13 +91,13 @@ static tdsp_status solve(const geometric *g, probe *p, slot *out)
     double margin = probe_margin(p, out->target);
     inversion goal = {.cap = out->target,
                       .slack = WINDOW * margin,
-                      .room = out->target - g->base.ceiling,
+                      .room = out->target - g->batch_base.ceiling,
                       .anchor = -INFINITY,
-                      .after = g->base.departure};
+                      .after = g->batch_base.departure};
     tdsp_status status = seed_of(p, out->target, &goal.seed);
     if (status != TDSP_OK) return status;
-    trail t = g->trail;
-    out->bracket = (bracket){g->base, g->sampler->domain.last};
+    trail t = g->batch_trail;
+    out->bracket = (bracket){g->batch_base, g->sampler->domain.last};
     p->path.departure = -1;
     status = invert(p, &goal, &t, &out->bracket);
     int is_row = out->bracket.low.departure > g->sampler->rows.held.departure;
@@ -109,20 +113,15 @@ static void solve_task(void *ctx, size_t i, size_t worker)
     g->slots[i].status = worker < g->probe_count ? solve(g, &g->probes[worker], &g->slots[i]) : TDSP_INVALID_ARGUMENT;
 }
 
-static void run_batch(geometric *g)
-{
-    const tdsp_build_options *options = g->sampler->options;
-    for (size_t i = 0; i < g->count; i++) g->slots[i].status = TDSP_FAILED; /* until it was run */
-    if (g->probes != &g->sampler->probe) options->run_tasks(options->run_tasks_ctx, solve_task, g, g->count);
-    else
-        for (size_t i = 0; i < g->count; i++) solve_task(g, i, 0);
-}
-
-/* Add a solved row. One that coincides with the row held only tells what comes after it. */
+/*
+ * Add a solved row. A target under what the rows so far leave to start from has its row already: their jump. Where the value jumps
+ * right after the row held, the solved row only tells to where.
+ */
 static tdsp_status merge(geometric *g, slot *solved)
 {
     sampler *s = g->sampler;
     const bracket *b = &solved->bracket;
+    if (!sample_fits(&g->base, solved->target)) return TDSP_OK;
     if (solved->status != TDSP_OK) return solved->status;
     int closed = bracket_is_closed(b);
     const sample *after = closed ? &b->high : &b->low;
@@ -134,20 +133,44 @@ static tdsp_status merge(geometric *g, slot *solved)
         tdsp_status status = rows_add(&s->rows, &next, &solved->path);
         if (status != TDSP_OK) return status;
     }
+    s->probe.settled = next.departure;
     g->base = *after;
-    if (closed) trail_restart(&g->trail, after);
-    else trail_note(&g->trail, after);
+    if (closed)
+        trail_restart(&g->trail, after);
+    else
+        trail_note(&g->trail, after);
     return TDSP_OK;
 }
 
-static tdsp_status merge_batch(geometric *g)
+static tdsp_status run_parallel(geometric *g)
 {
-    for (size_t i = 0; i < g->count; i++) {
-        tdsp_status status = merge(g, &g->slots[i]);
-        if (status != TDSP_OK) return status;
+    const tdsp_build_options *options = g->sampler->options;
+    for (size_t i = 0; i < g->count; i++)
+        g->slots[i].status = TDSP_FAILED; /* until it was run */
+    options->run_tasks(options->run_tasks_ctx, solve_task, g, g->count);
+    tdsp_status status = TDSP_OK;
+    for (size_t i = 0; i < g->count && status == TDSP_OK; i++)
+        status = merge(g, &g->slots[i]);
+    return status == TDSP_OK ? probe_report_progress(&g->sampler->probe) : status;
+}
+
+static tdsp_status run_alone(geometric *g)
+{
+    tdsp_status status = TDSP_OK;
+    for (size_t i = 0; i < g->count && status == TDSP_OK; i++) {
+        if (!sample_fits(&g->base, g->slots[i].target)) continue;
+        solve_task(g, i, 0);
+        status = merge(g, &g->slots[i]);
     }
-    g->sampler->probe.settled = g->sampler->rows.held.departure;
-    return probe_report_progress(&g->sampler->probe);
+    return status;
+}
+
+static tdsp_status run_batch(geometric *g)
+{
+    if (g->count == 0) return TDSP_OK;
+    g->batch_base = g->base;
+    g->batch_trail = g->trail;
+    return g->probes == &g->sampler->probe ? run_alone(g) : run_parallel(g);
 }
 
 /* Workers' oracles where there are threads to run them, else the oracle that was given. */
@@ -161,14 +184,16 @@ static tdsp_status begin_probes(geometric *g)
     g->probes = memory_array(&s->probe.allocator, options->worker_count, sizeof *g->probes);
     if (!g->probes) return TDSP_NO_MEMORY;
     g->probe_count = options->worker_count;
-    for (size_t i = 0; i < g->probe_count; i++) g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
+    for (size_t i = 0; i < g->probe_count; i++)
+        g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
     return TDSP_OK;
 }
 
 static void end_probes(geometric *g)
 {
     sampler *s = g->sampler;
-    for (size_t i = 0; i < BATCH; i++) kept_path_release(&g->slots[i].path, &s->probe.allocator);
+    for (size_t i = 0; i < BATCH; i++)
+        kept_path_release(&g->slots[i].path, &s->probe.allocator);
     if (g->probes == &s->probe || !g->probes) return;
     for (size_t i = 0; i < g->probe_count; i++) {
         s->probe.forward_calls += g->probes[i].forward_calls;
@@ -187,8 +212,7 @@ static tdsp_status sample_all(geometric *g)
     do {
         status = take_targets(g);
         if (status != TDSP_OK) return status;
-        if (g->count > 0) run_batch(g);
-        status = merge_batch(g);
+        status = run_batch(g);
     } while (status == TDSP_OK && g->count == BATCH);
     return status;
 }
@@ -198,7 +222,8 @@ tdsp_status sampler_geometric(sampler *s)
     const sample *first = &s->domain.first;
     if (!(first->lower > 0)) return TDSP_NOT_SUPPORTED;
     geometric g = {.sampler = s, .base = *first, .trail = trail_begin(first, &s->domain.last), .target = first->lower};
-    for (size_t i = 0; i < BATCH; i++) g.slots[i].path = kept_path_none();
+    for (size_t i = 0; i < BATCH; i++)
+        g.slots[i].path = kept_path_none();
     tdsp_status status = begin_probes(&g);
     if (status == TDSP_OK) status = sample_all(&g);
     end_probes(&g);

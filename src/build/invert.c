@@ -25,7 +25,7 @@
 #define GALLOP_GROWTH 16
 #define STALLED 2u
 #define FAR_RATIO 4
-#define NEAR 64 /* blurs */
+#define NEAR 64     /* blurs */
 #define PATIENCE 8u /* halvings towards 0 before the bits are halved instead */
 
 typedef enum gait { STEADY, SEEDED, GALLOPING } gait;
@@ -36,13 +36,13 @@ typedef struct hunt {
     trail *trail;
     bracket *bracket;
     gait gait;
-    int from_low;    /* galloping upwards from low, else downwards from high */
-    double reach;    /* the next distance of a gallop */
+    int from_low; /* galloping upwards from low, else downwards from high */
+    double reach; /* the next distance of a gallop */
     double seed;
     unsigned calls;
     unsigned stalls; /* steps in a row that brought the value no nearer to the aim */
     unsigned reversals;
-    double width;    /* of the bracket three calls ago */
+    double width; /* of the bracket three calls ago */
 } hunt;
 
 int sample_fits(const sample *s, double cap)
@@ -67,7 +67,8 @@ static int is_over(const hunt *h)
     const sample *low = &h->bracket->low;
     double rest = h->goal->cap - low->ceiling;
     int late_enough = low->departure > h->goal->after && rest <= tolerance(h->goal, low) && rest < h->goal->room / 2;
-    return late_enough || bracket_is_closed(h->bracket);
+    double width = h->bracket->high.departure - low->departure;
+    return late_enough || width <= h->goal->width || bracket_is_closed(h->bracket);
 }
 
 /* The value in the middle of the slack; the tolerance is that of a departure beyond the anchor. */
@@ -152,11 +153,16 @@ static tdsp_status choose(hunt *h, double *t)
 {
     double width = h->bracket->high.departure - h->bracket->low.departure;
     if (h->calls % 3 == 0) h->width = width;
-    if (h->gait == SEEDED) *t = h->seed;
-    else if (h->gait == GALLOPING) *t = gallop(h);
-    else if (h->stalls >= STALLED) return ask_reverse(h, t);
-    else if (h->calls % 3 == 2 && width > h->width / 2) *t = midpoint(h);
-    else *t = steer(h);
+    if (h->gait == SEEDED)
+        *t = h->seed;
+    else if (h->gait == GALLOPING)
+        *t = gallop(h);
+    else if (h->stalls >= STALLED)
+        return ask_reverse(h, t);
+    else if (h->calls % 3 == 2 && width > h->width / 2)
+        *t = midpoint(h);
+    else
+        *t = steer(h);
     return TDSP_OK;
 }
 
@@ -180,7 +186,10 @@ static void pace_gallop(hunt *h, const sample *s, int fits)
     } else if (h->gait == GALLOPING) {
         double least = probe_blur(h->probe, s) / 4096;
         h->reach = fmax(h->reach * GALLOP_GROWTH, least);
-        if (fits != h->from_low) h->gait = STEADY;
+        if (fits != h->from_low) {
+            h->gait = STEADY;
+            h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
+        }
     }
 }
 

@@ -9,7 +9,8 @@
 
 probe probe_over(const tdsp_oracle *oracle, const tdsp_allocator *allocator, int by_arrival)
 {
-    return (probe){.oracle = oracle, .allocator = *allocator, .by_arrival = by_arrival, .all = INFINITY, .path = kept_path_none()};
+    return (probe){
+        .oracle = oracle, .allocator = *allocator, .by_arrival = by_arrival, .all = INFINITY, .path = kept_path_none()};
 }
 
 void probe_release(probe *p)
@@ -40,7 +41,8 @@ static sample sample_of(const probe *p, double departure, double arrival)
 
 int probe_means_no_way(tdsp_status status)
 {
-    return status == TDSP_SOURCE_COVERED || status == TDSP_DESTINATION_COVERED || status == TDSP_CUT_OFF || status == TDSP_UNREACHABLE;
+    return status == TDSP_SOURCE_COVERED || status == TDSP_DESTINATION_COVERED || status == TDSP_CUT_OFF ||
+           status == TDSP_UNREACHABLE;
 }
 
 /* What an oracle may hand on as it is: its errors. Any other answer is not one to this question. */
@@ -113,8 +115,10 @@ tdsp_status probe_reverse(probe *p, double arrival, double *departure)
     double t = NAN;
     p->reverse_calls++;
     status = p->oracle->latest_departure(p->oracle->ctx, arrival, &t);
-    if (status == TDSP_ARRIVAL_TOO_EARLY) t = 0;
-    else if (status != TDSP_OK) return error_of(status);
+    if (status == TDSP_ARRIVAL_TOO_EARLY)
+        t = 0;
+    else if (status != TDSP_OK)
+        return error_of(status);
     if (!(t >= 0) || (isinf(t) && isfinite(arrival))) return TDSP_BAD_ORACLE;
     *departure = t;
     return TDSP_OK;

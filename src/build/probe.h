@@ -31,14 +31,14 @@ typedef struct sample {
 typedef struct probe {
     const tdsp_oracle *oracle;
     tdsp_allocator allocator;
-    int by_arrival;          /* values are A(t), not T(t) */
-    tdsp_progress progress;  /* asked before each call; may be NULL */
+    int by_arrival;         /* values are A(t), not T(t) */
+    tdsp_progress progress; /* asked before each call; may be NULL */
     void *progress_ctx;
-    double settled;          /* for progress */
+    double settled; /* for progress */
     double all;
     uint64_t forward_calls;
     uint64_t reverse_calls;
-    kept_path path;          /* of the last sample that was kept */
+    kept_path path; /* of the last sample that was kept */
 } probe;
 
 /* Nothing is allocated until a path is kept. */

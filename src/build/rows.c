@@ -34,7 +34,7 @@ double rows_cap(const tdsp_build_options *options, tdsp_monotone monotone, doubl
 
 static tdsp_status write_held(rows *r)
 {
-    writer_row out = {r->held.departure, r->held.left,      r->held.right,     r->path.legs,
+    writer_row out = {r->held.departure, r->held.left,  r->held.right,     r->path.legs,
                       r->path.leg_count, r->path.bytes, r->path.byte_count};
     return writer_add(r->writer, &out);
 }

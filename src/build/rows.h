@@ -21,7 +21,7 @@ typedef struct rows {
     tdsp_monotone monotone;
     tdsp_allocator allocator;
     writer *writer;
-    row held; /* the last row; the writer has those before */
+    row held;       /* the last row; the writer has those before */
     kept_path path; /* of the row held */
     uint64_t count; /* with the row held; 0 at the beginning */
 } rows;

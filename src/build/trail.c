@@ -68,7 +68,8 @@ static size_t usable_nodes(const trail *t)
 static double neville(const sample *node, size_t n, double value)
 {
     double p[TRAIL_NODES];
-    for (size_t i = 0; i < n; i++) p[i] = node[i].departure;
+    for (size_t i = 0; i < n; i++)
+        p[i] = node[i].departure;
     for (size_t span = 1; span < n; span++)
         for (size_t i = 0; i + span < n; i++) {
             double a = node[i].value;

@@ -52,16 +52,24 @@ static void line_clear(pass *p, const nearby_disc *disc)
     if (elapsed > 0.0 && elapsed < m->duration) pass_evaluate(p, disc, elapsed);
 }
 
+/* The bound by the bending of f; -infinity where the part may pass the centre. */
+static double part_bent_bound(const motion *m, const nearby_disc *disc, const part *q)
+{
+    const double span = q->b - q->a;
+    const double radii = disc_radius(disc, m->leg.start_time + q->a) + disc_radius(disc, m->leg.start_time + q->b);
+    const double near = 0.5 * (q->fa + q->fb + radii - m->speed * span);
+    const double radius = fmin(motion_radius(m, q->a), motion_radius(m, q->b));
+    if (!(near > 0.0)) return -INFINITY;
+    return fmin(q->fa, q->fb) - m->speed * (m->speed / near + m->tangential / radius) * span * span / 8.0;
+}
+
 /* The larger of the two lower bounds on f over a part. */
 static double part_bound(const motion *m, const nearby_disc *disc, const part *q)
 {
     const double span = q->b - q->a, fall = m->speed + disc->growth, rise = m->speed - disc->growth;
-    const double lower = fmin(q->fa, q->fb);
     if (rise <= 0.0) return q->fb;
     const double first = (q->fa * rise + q->fb * fall - fall * rise * span) / (fall + rise);
-    const double radius = fmin(motion_radius(m, q->a), motion_radius(m, q->b));
-    const double second = lower - m->speed * m->tangential / radius * span * span / 8.0;
-    return fmin(lower, fmax(first, second));
+    return fmin(fmin(q->fa, q->fb), fmax(first, part_bent_bound(m, disc, q)));
 }
 
 /* Keep what a part's bound says of the whole when nothing lower than the resolution is left to find in it. */

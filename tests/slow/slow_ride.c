@@ -1,8 +1,9 @@
 /*
  * Sampling a ride.
  *
- * Free: between two samples the clearance to another disc can fall at most as fast as the robot and that disc approach, and
- * bends down at most as fast as the ride's direction turns; where neither excludes a collision the interval is halved.
+ * Free: between two samples the clearance to another disc can fall at most as fast as the robot and that disc approach, and its
+ * second derivative is at most 1 / (distance between the robot and the centre) plus the rate at which the ride turns, so that between its
+ * ends it sags by no more than an eighth of that times the square of the time; where neither excludes a collision the interval is halved.
  *
  * Leaves: the miss is the angle from the tangent of the moment to the robot's own direction. A leave is a change of its sign; an interval
  * over which the miss moves much, or bends towards zero between its samples, is looked at more closely.
@@ -51,9 +52,13 @@ static int surely_free(const slow_world *world, const slow_ride *ride, const slo
 {
     const slow_disc *own = &world->discs[ride->disc];
     const double span = b->at.time - a->at.time, slack = slow_slack(other, a->at.x, a->at.y, a->at.time);
-    const double s = sqrt((1.0 - own->rate) * (1.0 + own->rate)), least = fmin(a->clearance, b->clearance);
+    const double s = sqrt((1.0 - own->rate) * (1.0 + own->rate));
     if (a->clearance - (1.0 + other->rate) * span > 0.0) return 1;
-    return least - s / slow_radius(own, a->at.time) * span * span / 8.0 >= -1.5 * slack;
+    const double centers = a->clearance + b->clearance + slow_radius(other, a->at.time) + slow_radius(other, b->at.time);
+    const double near = 0.5 * (centers - span); /* no point between is closer to the other's centre */
+    if (near <= 0.0) return 0;
+    const double bend = 1.0 / near + s / slow_radius(own, a->at.time);
+    return fmin(a->clearance, b->clearance) - bend * span * span / 8.0 >= -1.5 * slack;
 }
 
 /* The first place in (a, b] where `other` is met, or infinity. */

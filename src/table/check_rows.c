@@ -32,8 +32,8 @@ static int check_row_range(const tdsp_table *table, uint64_t row, check_row at)
     int open_end = reason == TDSP_HORIZON || reason == TDSP_OUTSIDE_TABLE;
     int right_finite = row + 1 < table->rows || open_end;
     if (!(at.departure >= 0) || !(at.left >= 0) || !(at.right >= 0)) return 0;
-    if (!round_is_finite(at.departure + at.left)) return 0;
-    return round_is_finite(at.departure + at.right) == right_finite && (right_finite || at.right > DBL_MAX);
+    if (!round_is_finite(round_add_up(at.departure, at.left))) return 0;
+    return round_is_finite(round_add_up(at.departure, at.right)) == right_finite && (right_finite || at.right > DBL_MAX);
 }
 
 static int check_travel_order(check_row a, check_row b)

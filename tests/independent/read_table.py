@@ -42,8 +42,11 @@ def crc32c(*parts):
 
 
 def up(x):
-    """The least double that is not below the fraction x."""
-    near = float(x)
+    """The least double that is not below the fraction x; infinity when there is none."""
+    try:
+        near = float(x)
+    except OverflowError:
+        return math.inf
     return near if Fraction(near) >= x else math.nextafter(near, math.inf)
 
 
@@ -165,7 +168,7 @@ class Table:
         need(all(x < y for x, y in zip(b, b[1:])), "order of departures")
         need(all(x >= 0 for x in left + right) and all(math.isfinite(x) for x in b + left + right[:-1]), "travel times")
         need(math.isfinite(right[-1]) == (self.last_reason in ("horizon", "outside_table")), "last right")
-        need(all(math.isfinite(x + y) for x, y in list(zip(b, left)) + list(zip(b, right[:-1]))), "sums")
+        need(all(math.isfinite(add_up(x, y)) for x, y in list(zip(b, left)) + list(zip(b, right[:-1]))), "sums")
         for i in range(self.rows - 1):
             if self.monotone == "travel":
                 need(left[i] <= left[i + 1] and right[i] <= min(right[i + 1], left[i + 1]), "order of row %d" % i)

@@ -119,7 +119,11 @@ $(BUILD)/obj/tests/%.o: tests/%.c $(BUILD)/flags | tool-packages
 tool-packages:
 	@$(PKG_CONFIG) --exists $(TOOL_PACKAGES) || { echo "make: the command needs $(TOOL_PACKAGES); 'make packages' installs them" >&2; exit 1; }
 
-archive = @mkdir -p $(@D); rm -f $@; echo "$(AR) $@"; $(AR) crs $@ $(filter %.o,$^)
+define archive
+@mkdir -p $(@D)
+@rm -f $@
+$(AR) crs $@ $(filter %.o,$^)
+endef
 $(STATIC): $(call objects,$(LIB_SOURCES)) $(BUILD)/files
 	$(archive)
 $(QUERY): $(call objects,$(QUERY_SOURCES)) $(BUILD)/files

@@ -17,7 +17,7 @@
 #include "build/trail.h"
 
 #define SLACK 1e-3 /* of the allowed increase */
-#define REVERSALS 2
+#define REVERSALS 4 /* a row: each may find another jump under the cap first */
 
 /* The goal of the row after the one held, which starts at `base` from the bound `lower`. */
 static inversion goal_after(const sampler *s, const sample *base, double lower)

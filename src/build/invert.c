@@ -11,7 +11,7 @@
  *            the jump at J when T(J) <= c - (J - low); a = high + c hits it when T(J+) > c + (high - J). The one with more room is
  *            asked, once the bracket is narrower than that room. With values A, a = c is the answer itself.
  *   gallop   from a reverse answer, whose distance to the forward function's own jump is the oracle's error: next double
- *            first, then steps that grow by 16, then halving between the last two.
+ *            first, then steps that grow by 16, then halving between the last two. A jump farther away than the error is another one.
  */
 #include "build/invert.h"
 
@@ -184,12 +184,11 @@ static void pace_gallop(hunt *h, const sample *s, int fits)
         h->from_low = fits;
         h->reach = 0;
     } else if (h->gait == GALLOPING) {
-        double least = probe_blur(h->probe, s) / 4096;
-        h->reach = fmax(h->reach * GALLOP_GROWTH, least);
-        if (fits != h->from_low) {
-            h->gait = STEADY;
-            h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
-        }
+        double most = probe_blur(h->probe, s);
+        int crossed = fits != h->from_low;
+        if (crossed) h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
+        if (crossed || h->reach > most) h->gait = STEADY;
+        h->reach = fmax(h->reach * GALLOP_GROWTH, most / 4096);
     }
 }
 

@@ -29,9 +29,17 @@ static int exit_status_of(tdsp_status status)
     return CLI_SYSTEM;
 }
 
+char *cli_reason(tdsp_status status)
+{
+    char *text = g_strdup(tdsp_status_text(status));
+    if (!g_ascii_isupper(text[1])) *text = g_ascii_tolower(*text);
+    return text;
+}
+
 gboolean cli_fail_status(GError **error, const char *what, tdsp_status status)
 {
-    return cli_fail(error, exit_status_of(status), "%s: %s", what, tdsp_status_text(status));
+    g_autofree char *reason = cli_reason(status);
+    return cli_fail(error, exit_status_of(status), "%s: %s", what, reason);
 }
 
 void cli_warn(const char *format, ...)

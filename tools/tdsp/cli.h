@@ -53,6 +53,9 @@ gboolean cli_fail(GError **error, int status, const char *format, ...) G_GNUC_PR
 /* Turn a library status that is no answer into an error about `what`. Returns FALSE. */
 gboolean cli_fail_status(GError **error, const char *what, tdsp_status status);
 
+/* The status as the end of a sentence: its text without the capital. Free with g_free(). */
+char *cli_reason(tdsp_status status);
+
 /* A line on standard error that does not stop the command. */
 void cli_warn(const char *format, ...) G_GNUC_PRINTF(1, 2);
 

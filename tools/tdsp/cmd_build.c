@@ -179,7 +179,7 @@ static gboolean print_text(const Wanted *wanted, const Built *built, GError **er
     g_string_append_printf(text, "guarantee      %s, %s %s, %s sampling\n", words_guarantee(options->guarantee),
                            absolute ? "delta" : "epsilon", number_format(bound, absolute ? options->delta : options->epsilon),
                            words_sampling(options->sampling));
-    g_string_append_printf(text, "last departure %s: then %s\n", number_format(last, report->last_departure),
+    g_string_append_printf(text, "last departure %s, then %s\n", number_format(last, report->last_departure),
                            tdsp_status_name(report->last_reason));
     g_string_append_printf(text, "oracle calls   %" G_GUINT64_FORMAT " forward, %" G_GUINT64_FORMAT " reverse\n", report->forward_calls,
                            report->reverse_calls);
@@ -198,7 +198,8 @@ static int build_to_file(Wanted *wanted, const char *path, GError **error)
     if (built.status == TDSP_OK && !file_out_write(wanted->output, built.bytes, built.length, error)) return CLI_FAILED;
     if (!(wanted->json ? print_json(wanted, &built, error) : print_text(wanted, &built, error))) return CLI_FAILED;
     if (built.status != TDSP_OK) {
-        cli_fail(error, CLI_NO, "nothing to build: no path at departure 0: %s", tdsp_status_text(built.status));
+        g_autofree char *reason = cli_reason(built.status);
+        cli_fail(error, CLI_NO, "nothing to build: no path at departure 0: %s", reason);
         return CLI_FAILED;
     }
     return CLI_DONE;

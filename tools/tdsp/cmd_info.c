@@ -175,7 +175,8 @@ static gboolean print_text(const char *path, const Facts *facts, GError **error)
     text_number(text, "  travel time", facts->first.left, info->time_unit);
     text_number(text, "last departure", info->last_departure, info->time_unit);
     text_number(text, "  travel time", facts->last.left, info->time_unit);
-    g_string_append_printf(text, "  %-16s%s: %s\n", "then", tdsp_status_name(info->last_reason), tdsp_status_text(info->last_reason));
+    g_autofree char *reason = cli_reason(info->last_reason);
+    g_string_append_printf(text, "  %-16s%s: %s\n", "then", tdsp_status_name(info->last_reason), reason);
     text_jumps(text, facts->jumps);
     return cli_print(text, error);
 }

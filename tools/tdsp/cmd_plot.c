@@ -101,6 +101,7 @@ int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error)
     if (!file_out_check(wanted.output, inputs, error) || !file_in_load(argv[1], &file, error)) return CLI_FAILED;
     gboolean done = file.kind == FILE_TABLE ? draw_table(&file, &wanted, &drawn, error) : draw_scene(&file, &wanted, &drawn, error);
     if (!done || !print(&wanted, &file, &drawn, error)) return CLI_FAILED;
-    if (drawn.status != TDSP_OK) cli_warn("no path at this departure: %s", tdsp_status_text(drawn.status));
+    g_autofree char *reason = cli_reason(drawn.status);
+    if (drawn.status != TDSP_OK) cli_warn("no path at this departure: %s", reason);
     return CLI_DONE;
 }

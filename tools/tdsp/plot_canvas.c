@@ -108,6 +108,14 @@ void canvas_text(cairo_t *cr, double x, double y, const TextStyle *style, const 
     cairo_new_path(cr);
 }
 
+void canvas_text_within(cairo_t *cr, double x, double y, double width, const TextStyle *style, const char *text)
+{
+    TextStyle fitting = *style;
+    double needed = canvas_text_width(cr, style, text);
+    if (needed > width) fitting.size *= width / needed;
+    canvas_text(cr, x, y, &fitting, text);
+}
+
 void canvas_text_upwards(cairo_t *cr, double x, double y, const TextStyle *style, const char *text)
 {
     cairo_save(cr);

@@ -50,6 +50,8 @@ typedef struct TextStyle {
 } TextStyle;
 
 void canvas_text(cairo_t *cr, double x, double y, const TextStyle *style, const char *text);
+/* Made smaller where it would be wider than `width`. */
+void canvas_text_within(cairo_t *cr, double x, double y, double width, const TextStyle *style, const char *text);
 /* Turned to read upwards. */
 void canvas_text_upwards(cairo_t *cr, double x, double y, const TextStyle *style, const char *text);
 double canvas_text_width(cairo_t *cr, const TextStyle *style, const char *text);

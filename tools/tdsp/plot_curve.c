@@ -22,6 +22,7 @@
 #define MARGIN_TOP 72.0
 #define MARGIN_BOTTOM 100.0
 #define FINE 0.2          /* points of the canvas that need not be told apart */
+#define OBSTACLE_EVERY 4.0
 #define MARKED_JUMP 0.012 /* of the frame's height: smaller jumps get no circles */
 
 typedef struct Curve {
@@ -50,7 +51,7 @@ static Frame frame_of(const Curve *curve)
     double range = high - low;
     if (!(range > 1e-9 * fabs(high))) range = high > 0 ? 0.1 * high : 1;
     double width = last > 0 ? last : 1;
-    double bottom = fmax(low - 0.08 * range, low >= 0 ? 0 : low);
+    double bottom = low > 0 ? fmax(low - 0.08 * range, 0) : -0.08 * range;
     return (Frame){MARGIN_LEFT, MARGIN_TOP, WIDTH - MARGIN_LEFT - MARGIN_RIGHT, HEIGHT - MARGIN_TOP - MARGIN_BOTTOM,
                    -0.01 * width, 1.04 * width, bottom, low + 1.1 * range};
 }
@@ -171,15 +172,39 @@ static char *with_unit(double value, const char *unit)
     return *unit ? g_strdup_printf("%s %s", buffer, unit) : g_strdup(buffer);
 }
 
+/* The curve and its jumps, as far as a label should not hide them. */
+static void add_obstacles(const Curve *curve, Labels *labels)
+{
+    const Frame *frame = &curve->frame;
+    double before = frame_y(frame, row_at(curve, 0).left);
+    for (double x = frame_x(frame, 0); x < frame_x(frame, curve->info.last_departure); x += OBSTACLE_EVERY) {
+        double departure = curve->info.last_departure * (x - frame_x(frame, 0)) / (frame_x(frame, curve->info.last_departure) - frame_x(frame, 0));
+        double upper;
+        if (tdsp_table_arrival(curve->table, departure, NULL, &upper) != TDSP_OK) continue;
+        double now = frame_y(frame, upper - departure);
+        for (double y = before; y > now; y -= OBSTACLE_EVERY) labels_add_obstacle(labels, x, y);
+        labels_add_obstacle(labels, x, now);
+        before = now;
+    }
+}
+
+static char *interval_text(const Curve *curve, double departure, double lower, double upper)
+{
+    g_autofree char *when = with_unit(departure, curve->info.time_unit);
+    g_autofree char *low = with_unit(lower - departure, "");
+    g_autofree char *high = with_unit(upper - departure, "");
+    g_autofree char *end = with_unit(upper - departure, curve->info.time_unit);
+    if (strcmp(low, high) == 0) return g_strdup_printf("leave at %s: %s", when, end);
+    return g_strdup_printf("leave at %s: %s to %s", when, low, end);
+}
+
 static void mark_departure(const Curve *curve, cairo_t *cr, double departure)
 {
     const TextStyle style = {PLOT_TEXT, TRUE, PLOT_INK, 0, 0, TRUE};
     double lower, upper;
     if (tdsp_table_arrival(curve->table, departure, &lower, &upper) != TDSP_OK) return;
     g_auto(Labels) labels = labels_new(&curve->frame);
-    g_autofree char *low = with_unit(lower - departure, "");
-    g_autofree char *high = with_unit(upper - departure, curve->info.time_unit);
-    g_autofree char *text = g_strdup_printf("%s to %s", low, high);
+    g_autofree char *text = interval_text(curve, departure, lower, upper);
     double x = frame_x(&curve->frame, departure), y = frame_y(&curve->frame, upper - departure);
     cairo_move_to(cr, x, curve->frame.top + curve->frame.height);
     cairo_line_to(cr, x, y);
@@ -188,8 +213,9 @@ static void mark_departure(const Curve *curve, cairo_t *cr, double departure)
     cairo_stroke(cr);
     cairo_arc(cr, x, y, 4, 0, 2 * G_PI);
     cairo_fill(cr);
+    add_obstacles(curve, &labels);
     labels_add_mark(&labels, x, y, 5);
-    labels_write(&labels, cr, x, y, 10, &style, text);
+    labels_write(&labels, cr, x, y, 10, -G_PI / 2, &style, text);
 }
 
 static char *guarantee_of(const tdsp_table_info *info)
@@ -202,16 +228,24 @@ static char *guarantee_of(const tdsp_table_info *info)
     return g_strdup_printf("%s times certified within %s %%", words_guarantee(info->guarantee), percent);
 }
 
+static char *end_of(const tdsp_table_info *info)
+{
+    g_autofree char *last = with_unit(info->last_departure, info->time_unit);
+    g_autofree char *reason = cli_reason(info->last_reason);
+    if (info->last_reason == TDSP_HORIZON) return g_strdup_printf("departures up to the horizon %s", last);
+    return g_strdup_printf("last departure %s: then %s", last, reason);
+}
+
 static void draw_titles(const Curve *curve, cairo_t *cr, const char *name)
 {
     const TextStyle title = {18, TRUE, PLOT_INK, 0, 0, FALSE}, subtitle = {PLOT_TEXT, FALSE, PLOT_GREY, 0, 0, FALSE};
     g_autofree char *guarantee = guarantee_of(&curve->info);
-    g_autofree char *last = with_unit(curve->info.last_departure, curve->info.time_unit);
+    g_autofree char *end = end_of(&curve->info);
     g_autofree char *heading = g_strdup_printf("Travel time: %s", name);
-    g_autofree char *text = g_strdup_printf("%" G_GUINT64_FORMAT " row%s, %s \xc2\xb7 last departure %s: then %s", curve->info.rows,
-                                            curve->info.rows == 1 ? "" : "s", guarantee, last, tdsp_status_text(curve->info.last_reason));
-    canvas_text(cr, MARGIN_LEFT, 32, &title, heading);
-    canvas_text(cr, MARGIN_LEFT, 54, &subtitle, text);
+    g_autofree char *text = g_strdup_printf("%" G_GUINT64_FORMAT " row%s, %s \xc2\xb7 %s", curve->info.rows,
+                                            curve->info.rows == 1 ? "" : "s", guarantee, end);
+    canvas_text_within(cr, MARGIN_LEFT, 32, WIDTH - MARGIN_LEFT - 10, &title, heading);
+    canvas_text_within(cr, MARGIN_LEFT, 54, WIDTH - MARGIN_LEFT - 10, &subtitle, text);
 }
 
 static void draw_legend(cairo_t *cr, guint jumps)

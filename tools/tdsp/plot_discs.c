@@ -7,8 +7,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define LEAST_RADIUS 0.35 /* points: a disc stays visible however far away */
-
 typedef struct Dot {
     double radius, x, y; /* on the canvas, rounded to hundredths */
 } Dot;
@@ -33,7 +31,7 @@ static gboolean in_view(const Frame *frame, const Dot *dot)
     return hypot(x, y) <= dot->radius;
 }
 
-static GArray *dots_of(const Frame *frame, const tdsp_scene *scene, double time, double wider)
+static GArray *dots_of(const Frame *frame, const tdsp_scene *scene, double time, const DiscsStyle *style)
 {
     size_t count;
     const tdsp_disc *discs = tdsp_scene_discs(scene, &count);
@@ -41,7 +39,7 @@ static GArray *dots_of(const Frame *frame, const tdsp_scene *scene, double time,
     GArray *dots = g_array_new(FALSE, FALSE, sizeof(Dot));
     for (size_t i = 0; i < count; i++) {
         double radius = (discs[i].radius + inflated + discs[i].growth * time) * scale;
-        Dot dot = {hundredth(fmax(radius, LEAST_RADIUS) + wider), hundredth(frame_x(frame, discs[i].center.x)),
+        Dot dot = {hundredth(fmax(radius, style->least) + style->wider), hundredth(frame_x(frame, discs[i].center.x)),
                    hundredth(frame_y(frame, discs[i].center.y))};
         if (in_view(frame, &dot)) g_array_append_val(dots, dot);
     }
@@ -49,10 +47,10 @@ static GArray *dots_of(const Frame *frame, const tdsp_scene *scene, double time,
     return dots;
 }
 
-void plot_discs_fill(cairo_t *cr, const Frame *frame, const tdsp_scene *scene, double time, double wider, guint32 colour)
+void plot_discs_fill(cairo_t *cr, const Frame *frame, const tdsp_scene *scene, double time, const DiscsStyle *style)
 {
-    g_autoptr(GArray) dots = dots_of(frame, scene, time, wider);
-    canvas_colour(cr, colour);
+    g_autoptr(GArray) dots = dots_of(frame, scene, time, style);
+    canvas_colour(cr, style->colour);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_ROUND);
     for (guint i = 0; i < dots->len; i++) {
         const Dot *dot = &g_array_index(dots, Dot, i), *next = i + 1 < dots->len ? dot + 1 : NULL;

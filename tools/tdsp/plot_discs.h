@@ -5,7 +5,13 @@
 #include "plot_frame.h"
 #include "tdsp/scene.h"
 
-/* Fill the union of the discs at `time`, each `wider` points of the canvas larger than it is. */
-void plot_discs_fill(cairo_t *cr, const Frame *frame, const tdsp_scene *scene, double time, double wider, guint32 colour);
+typedef struct DiscsStyle {
+    guint32 colour;
+    double least; /* points of the canvas: no disc is drawn with a smaller radius, */
+    double wider; /* and this comes on top */
+} DiscsStyle;
+
+/* Fill the union of the discs at `time`. */
+void plot_discs_fill(cairo_t *cr, const Frame *frame, const tdsp_scene *scene, double time, const DiscsStyle *style);
 
 #endif

@@ -64,13 +64,21 @@ static Box box_at(double x, double y, double distance, double angle, double widt
     return (Box){middle_x - width / 2, middle_y - height / 2, middle_x + width / 2, middle_y + height / 2};
 }
 
-gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double distance, const TextStyle *style, const char *text)
+/* 0, 1, -1, 2, -2, ... twelfths of a turn: the wanted direction first, the opposite one last. */
+static double turned(double angle, int place)
+{
+    int twelfths = place % 2 == 1 ? (place + 1) / 2 : -(place / 2);
+    return angle + 2 * G_PI * twelfths / PLACES;
+}
+
+gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double distance, double angle, const TextStyle *style,
+                      const char *text)
 {
     double width = canvas_text_width(cr, style, text) + 4, height = style->size + 2;
     guint least = G_MAXUINT;
     Box best = {0, 0, 0, 0};
     for (int i = 0; i < PLACES; i++) {
-        Box box = box_at(x, y, distance, 2 * G_PI * i / PLACES, width, height);
+        Box box = box_at(x, y, distance, turned(angle, i), width, height);
         guint cost = is_free(labels, &box) ? hidden(labels, &box) : G_MAXUINT;
         if (cost >= least) continue;
         least = cost;

@@ -11,6 +11,7 @@
 #define OBSTACLE_EVERY 4.0 /* points of the canvas */
 #define TICKS 9.0          /* about so many times along the path */
 #define TICK_HALF 5.0
+#define MARK_RADIUS 7.0
 
 static tdsp_point on_canvas(const Frame *frame, tdsp_point at)
 {
@@ -115,19 +116,35 @@ static void draw_tick(cairo_t *cr, tdsp_point at, tdsp_point direction)
     cairo_stroke(cr);
 }
 
+/* Across the path, and of the two sides the right one, or the upper one of a level path. */
+static double beside(tdsp_point direction)
+{
+    double side = fabs(direction.y) > 0.2 ? direction.y : -direction.x;
+    return side > 0 ? atan2(-direction.x, direction.y) : atan2(direction.x, -direction.y);
+}
+
+/* A tick there would hide the mark of the source or the destination. */
+static gboolean near(tdsp_point tick, tdsp_point mark)
+{
+    return hypot(tick.x - mark.x, tick.y - mark.y) < MARK_RADIUS + TICK_HALF;
+}
+
 double plot_route_times(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsize count, Labels *labels)
 {
     const TextStyle style = {11, FALSE, PLOT_INK, 0, 0, TRUE};
     double start = legs[0].start_time, duration = legs[count - 1].end_time - start;
     if (!(duration > 0)) return 0;
     double step = frame_nice_step(duration, TICKS);
+    tdsp_point first = on_canvas(frame, legs[0].from), last = on_canvas(frame, legs[count - 1].to);
     for (double i = floor(start / step) + 1; i * step < start + duration * (1 - 1e-6); i++) {
         tdsp_point place;
         if (tdsp_path_position(legs, count, i * step, &place) != TDSP_OK) continue;
         tdsp_point at = on_canvas(frame, place);
+        if (near(at, first) || near(at, last)) continue;
         g_autofree char *number = frame_number(i * step);
-        draw_tick(cr, at, direction_at(frame, legs, count, i * step, duration * 1e-4));
-        labels_write(labels, cr, at.x, at.y, 7, &style, number);
+        tdsp_point direction = direction_at(frame, legs, count, i * step, duration * 1e-4);
+        draw_tick(cr, at, direction);
+        labels_write(labels, cr, at.x, at.y, 7, beside(direction), &style, number);
     }
     return step;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "cli.h"
 #include "plot_discs.h"
 #include "plot_frame.h"
 #include "plot_labels.h"
@@ -13,8 +14,8 @@
 #define MARGIN_LEFT 92.0
 #define MARGIN_RIGHT 28.0
 #define MARGIN_TOP 66.0
-#define MARGIN_BOTTOM 96.0
-#define LEAST_SHAPE 0.55 /* the shorter side of the frame over the longer one */
+#define MARGIN_BOTTOM 110.0
+#define LEAST_SHAPE 0.8 /* the shorter side of the frame over the longer one */
 #define FAR 1.5          /* discs count for the view up to so many lengths of the journey away */
 
 typedef struct Extent {
@@ -102,14 +103,16 @@ static Frame frame_of(Extent extent)
                    extent.x_low, extent.x_high, extent.y_low, extent.y_high};
 }
 
+/* The edge of the union at arrival is what a slightly larger union below it leaves to be seen. */
 static void draw_discs(cairo_t *cr, const Frame *frame, const ScenePicture *picture)
 {
+    const DiscsStyle outline = {PLOT_DISC_OUTLINE, 1.2, 0.9}, later = {PLOT_DISC_LATER, 1.2, 0}, now = {PLOT_DISC, 1.2, 0};
     const tdsp_scene *scene = picture->scene->scene;
     if (isfinite(picture->arrival)) {
-        plot_discs_fill(cr, frame, scene, picture->arrival, 0.9, PLOT_DISC_OUTLINE);
-        plot_discs_fill(cr, frame, scene, picture->arrival, 0, PLOT_DISC_LATER);
+        plot_discs_fill(cr, frame, scene, picture->arrival, &outline);
+        plot_discs_fill(cr, frame, scene, picture->arrival, &later);
     }
-    plot_discs_fill(cr, frame, scene, picture->departure, 0, PLOT_DISC);
+    plot_discs_fill(cr, frame, scene, picture->departure, &now);
 }
 
 static void draw_end(cairo_t *cr, double x, double y, gboolean filled)
@@ -131,8 +134,8 @@ static void label_ends(cairo_t *cr, const Frame *frame, const tdsp_journey *jour
     draw_end(cr, dx, dy, FALSE);
     labels_add_mark(labels, sx, sy, 8);
     labels_add_mark(labels, dx, dy, 8);
-    labels_write(labels, cr, sx, sy, 11, &style, "source");
-    labels_write(labels, cr, dx, dy, 11, &style, "destination");
+    labels_write(labels, cr, sx, sy, 11, 0, &style, "source");
+    labels_write(labels, cr, dx, dy, 11, 0, &style, "destination");
 }
 
 static double draw_journey(cairo_t *cr, const Frame *frame, const ScenePicture *picture)
@@ -152,7 +155,6 @@ static double draw_journey(cairo_t *cr, const Frame *frame, const ScenePicture *
 
 static char *with_unit(double value, int digits, const char *unit)
 {
-    g_autofree char *number = frame_number(value);
     char format[8];
     g_snprintf(format, sizeof format, "%%.%dg", digits);
     char buffer[64];
@@ -169,8 +171,8 @@ static char *subtitle_of(const ScenePicture *picture)
     g_autofree char *departure = with_unit(picture->departure, 7, time);
     g_autofree char *arrival = with_unit(picture->arrival, 7, time);
     g_autofree char *speed = with_unit(journey->speed, 5, length);
-    g_autofree char *answer = isfinite(picture->arrival) ? g_strdup_printf("arrives at %s", arrival)
-                                                         : g_strdup_printf("no path: %s", tdsp_status_text(picture->status));
+    g_autofree char *reason = cli_reason(picture->status);
+    g_autofree char *answer = isfinite(picture->arrival) ? g_strdup_printf("arrives at %s", arrival) : g_strdup_printf("no path: %s", reason);
     return g_strdup_printf("leaves at %s, %s \xc2\xb7 %" G_GSIZE_FORMAT " disc%s \xc2\xb7 robot's speed %s%s%s", departure, answer, count,
                            count == 1 ? "" : "s", speed, *length && *time ? "/" : "", *length ? time : "");
 }
@@ -180,36 +182,53 @@ static void draw_titles(const Canvas *canvas, const ScenePicture *picture)
     const TextStyle title = {18, TRUE, PLOT_INK, 0, 0, FALSE}, subtitle = {PLOT_TEXT, FALSE, PLOT_GREY, 0, 0, FALSE};
     g_autofree char *text = subtitle_of(picture);
     const char *name = *picture->scene->name ? picture->scene->name : "Scene";
-    canvas_text(canvas->cr, MARGIN_LEFT, 30, &title, name);
-    canvas_text(canvas->cr, MARGIN_LEFT, 52, &subtitle, text);
+    canvas_text_within(canvas->cr, MARGIN_LEFT, 30, canvas->width - MARGIN_LEFT - 10, &title, name);
+    canvas_text_within(canvas->cr, MARGIN_LEFT, 52, canvas->width - MARGIN_LEFT - 10, &subtitle, text);
 }
 
-static double legend_disc(cairo_t *cr, double x, double y, guint32 fill, guint32 edge, const char *text)
+/* A legend being written: items from left to right, in lines. */
+typedef struct Legend {
+    cairo_t *cr;
+    double x, y, right;
+} Legend;
+
+/* Make room for a sample of this width with its text; returns where the sample begins. */
+static double legend_item(Legend *legend, double sample, const char *text)
 {
     const TextStyle style = {PLOT_TEXT, FALSE, PLOT_INK, 0, 0.5, FALSE};
-    cairo_arc(cr, x + 7, y, 6.5, 0, 2 * G_PI);
-    canvas_colour(cr, fill);
-    cairo_fill_preserve(cr);
-    canvas_colour(cr, edge);
-    cairo_set_line_width(cr, 1);
-    cairo_stroke(cr);
-    canvas_text(cr, x + 20, y, &style, text);
-    return x + 20 + canvas_text_width(cr, &style, text) + 22;
+    double width = sample + 7 + canvas_text_width(legend->cr, &style, text);
+    if (legend->x > MARGIN_LEFT && legend->x + width > legend->right) {
+        legend->x = MARGIN_LEFT;
+        legend->y += 22;
+    }
+    double left = legend->x;
+    canvas_text(legend->cr, left + sample + 7, legend->y, &style, text);
+    legend->x += width + 22;
+    return left;
 }
 
-static double legend_line(cairo_t *cr, double x, double y, gboolean ridden, const char *text)
+static void legend_disc(Legend *legend, guint32 fill, guint32 edge, const char *text)
+{
+    double x = legend_item(legend, 14, text);
+    cairo_arc(legend->cr, x + 7, legend->y, 6.5, 0, 2 * G_PI);
+    canvas_colour(legend->cr, fill);
+    cairo_fill_preserve(legend->cr);
+    canvas_colour(legend->cr, edge);
+    cairo_set_line_width(legend->cr, 1);
+    cairo_stroke(legend->cr);
+}
+
+static void legend_line(Legend *legend, gboolean ridden, const char *text)
 {
     static const double dashes[] = {3, 3};
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_INK, 0, 0.5, FALSE};
-    cairo_move_to(cr, x, y);
-    cairo_line_to(cr, x + 24, y);
-    if (ridden) cairo_set_dash(cr, dashes, G_N_ELEMENTS(dashes), 0);
-    canvas_colour(cr, PLOT_PATH);
-    cairo_set_line_width(cr, ridden ? 0.9 : 2.4);
-    cairo_stroke(cr);
-    cairo_set_dash(cr, NULL, 0, 0);
-    canvas_text(cr, x + 30, y, &style, text);
-    return x + 30 + canvas_text_width(cr, &style, text) + 22;
+    double x = legend_item(legend, 24, text);
+    cairo_move_to(legend->cr, x, legend->y);
+    cairo_line_to(legend->cr, x + 24, legend->y);
+    if (ridden) cairo_set_dash(legend->cr, dashes, G_N_ELEMENTS(dashes), 0);
+    canvas_colour(legend->cr, PLOT_PATH);
+    cairo_set_line_width(legend->cr, ridden ? 0.9 : 2.4);
+    cairo_stroke(legend->cr);
+    cairo_set_dash(legend->cr, NULL, 0, 0);
 }
 
 static gboolean rides(const GArray *legs)
@@ -221,13 +240,15 @@ static gboolean rides(const GArray *legs)
 
 static void draw_legend(const Canvas *canvas, const ScenePicture *picture, double step)
 {
-    double x = MARGIN_LEFT, y = canvas->height - 22;
+    Legend legend = {canvas->cr, MARGIN_LEFT, canvas->height - 44, canvas->width - 10};
     g_autofree char *every = with_unit(step, 7, picture->scene->time_unit);
     g_autofree char *path = step > 0 ? g_strdup_printf("path, a tick every %s", every) : g_strdup("path");
-    x = legend_disc(canvas->cr, x, y, PLOT_DISC, PLOT_DISC, "discs at departure");
-    if (isfinite(picture->arrival)) x = legend_disc(canvas->cr, x, y, PLOT_DISC_LATER, PLOT_DISC_OUTLINE, "at arrival");
-    if (picture->legs->len > 0) x = legend_line(canvas->cr, x, y, FALSE, path);
-    if (rides(picture->legs)) legend_line(canvas->cr, x, y, TRUE, "ridden disc, when the ride begins");
+    size_t count;
+    tdsp_scene_discs(picture->scene->scene, &count);
+    if (count > 0) legend_disc(&legend, PLOT_DISC, PLOT_DISC, "discs at departure");
+    if (count > 0 && isfinite(picture->arrival)) legend_disc(&legend, PLOT_DISC_LATER, PLOT_DISC_OUTLINE, "at arrival");
+    if (picture->legs->len > 0) legend_line(&legend, FALSE, path);
+    if (rides(picture->legs)) legend_line(&legend, TRUE, "ridden disc, as the ride begins");
 }
 
 /* Metres become kilometres where there are many. */
@@ -243,7 +264,7 @@ gboolean plot_scene(const ScenePicture *picture, const char *path, GError **erro
     Frame frame = frame_of(extent_of(picture));
     const char *unit = picture->scene->length_unit;
     Axis x = axis_of("x", unit, frame.x_high - frame.x_low), y = axis_of("y", unit, frame.x_high - frame.x_low);
-    double width = fmax(frame.width, 700) + MARGIN_LEFT + MARGIN_RIGHT;
+    double width = frame.width + MARGIN_LEFT + MARGIN_RIGHT;
     if (!canvas_begin(&canvas, path, width, frame.height + MARGIN_TOP + MARGIN_BOTTOM, error)) return FALSE;
     frame_draw_grid(canvas.cr, &frame);
     frame_clip(canvas.cr, &frame);

@@ -28,7 +28,7 @@ static gboolean check_backwards(VerifyReport *report, tdsp_solver *solver, doubl
     if (!tdsp_status_is_answer(status)) return cli_fail_status(error, "solver", status);
     if (status == TDSP_ARRIVAL_TOO_EARLY && departure <= margin) return TRUE;
     if (status != TDSP_OK)
-        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards: %s", departure, arrival, tdsp_status_text(status));
+        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards: %s", departure, arrival, tdsp_status_name(status));
     else if (latest < departure - margin)
         verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards departs at %.17g", departure, arrival, latest);
     if (arrival - 2 * margin <= departure) return TRUE;
@@ -45,7 +45,7 @@ gboolean verify_deep_path(VerifyReport *report, tdsp_solver *solver, const PathF
     tdsp_status status;
     if (!scene_solver_arrival(solver, path->departure, &arrival, &status, error)) return FALSE;
     if (status != TDSP_OK) {
-        if (isfinite(path->arrival)) verify_report_problem(report, "the solver finds no path: %s", tdsp_status_text(status));
+        if (isfinite(path->arrival)) verify_report_problem(report, "the solver finds no path: %s", tdsp_status_name(status));
         return TRUE;
     }
     if (path->arrival < arrival - slack(path->departure, arrival))
@@ -65,7 +65,7 @@ static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const
     if (status != TDSP_OK) return cli_fail_status(error, "table", status);
     if (!scene_solver_arrival(solver, departure, &arrival, &answer, error)) return FALSE;
     if (answer != TDSP_OK) {
-        verify_report_problem(report, "departure %.17g: the table has a path, the solver has none: %s", departure, tdsp_status_text(answer));
+        verify_report_problem(report, "departure %.17g: the table has a path, the solver has none: %s", departure, tdsp_status_name(answer));
         return TRUE;
     }
     double margin = slack(departure, arrival);

@@ -78,8 +78,8 @@ gboolean verify_report_path(VerifyReport *report, const tdsp_scene *scene, const
                                           path->arrival, &verdict);
     if (status != TDSP_OK) return cli_fail_status(error, "verify", status);
     take_verdict(report, "path", &verdict);
-    verify_report_checked(report, "path of %u legs: well formed, starts, joins and ends, top speed, clearance over the whole motion",
-                          path->legs->len);
+    verify_report_checked(report, "path of %u leg%s: well formed, starts, joins and ends, top speed, clearance over the whole motion",
+                          path->legs->len, path->legs->len == 1 ? "" : "s");
     return TRUE;
 }
 

@@ -25,10 +25,10 @@ extern "C" {
 /**
  * What is rounding and no mistake: the tolerance, a length, is
  *     TDSP_VERIFY_TOLERANCE * J + TDSP_VERIFY_ROUNDING * M
- * with the journey J the greater of |sd| and the length of the way, and the magnitude M the largest of: the coordinates of both ends, of
- * the legs and the arcs' centres; the arcs' radii; speed times the largest time; radius and coordinates of the disc with the least
- * clearance. It is granted to the clearance, to each join, to both ends (in time: divided by the speed) and to the ends of an arc. A leg
- * may be longer than speed times duration by the share 1e-9 and TDSP_VERIFY_ROUNDING * M.
+ * with the journey J the greater of |sd| and the length of the way, and the magnitude M the largest of: the coordinates of
+ * both ends, of the legs and the arcs' centres; the arcs' radii; speed times the largest time; radius and coordinates of the
+ * disc with the least clearance. It is granted to the clearance, to each join, to both ends (in time: divided by the speed)
+ * and to the ends of an arc. A leg may be longer than speed times duration by the share 1e-9 and TDSP_VERIFY_ROUNDING * M.
  */
 #define TDSP_VERIFY_TOLERANCE 1e-9
 #define TDSP_VERIFY_ROUNDING 1e-13
@@ -45,8 +45,8 @@ typedef struct tdsp_verdict {
 } tdsp_verdict;
 
 /**
- * Check a path: well formed, starts and ends right, joins, keeps to the top speed, and stays clear of every disc over its whole
- * motion, by rigorous bounds between samples.
+ * Check a path: well formed, starts and ends right, joins, keeps to the top speed, and stays clear of every disc over its
+ * whole motion, by rigorous bounds between samples.
  *
  * @param departure, arrival  what the path claims
  * @return TDSP_OK when the check was done (the verdict says how it went); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
@@ -68,9 +68,9 @@ typedef struct tdsp_table_verdict {
 } tdsp_table_verdict;
 
 /**
- * Check an opened table against its scene: the hash, the order of rows, the guarantee of each interval (8 roundings granted), and
- * each row's path: it leaves at b_i and arrives at b_i + left_i or before. A row without legs is a path only where the source is
- * the destination. Errors as tdsp_verify_path(). Since 0.1.
+ * Check an opened table against its scene: the hash, the order of rows, the guarantee of each interval (8 roundings
+ * granted), and each row's path: it leaves at b_i and arrives at b_i + left_i or before. A row without legs is a path only
+ * where the source is the destination. Errors as tdsp_verify_path(). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out);
 

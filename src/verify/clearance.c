@@ -108,12 +108,13 @@ static void disc_clear(void *ctx, const nearby_disc *disc)
 {
     pass *p = ctx;
     const motion *m = p->m;
+    const double apart = m->leg.kind == TDSP_LEG_ARC ? motion_distance(disc->center, m->leg.center) : INFINITY;
     if (m->leg.kind == TDSP_LEG_LINE) {
         line_clear(p, disc);
-    } else if (disc->center.x == m->leg.center.x && disc->center.y == m->leg.center.y) {
-        /* f is linear: the ends decide. */
-        pass_evaluate(p, disc, 0.0);
-        pass_evaluate(p, disc, m->duration);
+    } else if (apart <= p->least->fine) {
+        /* Around the common centre f is linear; each distance differs from that by no more than the centres do. */
+        const double ends = fmin(pass_evaluate(p, disc, 0.0), pass_evaluate(p, disc, m->duration));
+        p->least->bound = fmin(p->least->bound, ends - 2.0 * apart);
     } else {
         arc_clear(p, disc);
     }

@@ -1,15 +1,16 @@
 /*
  * The least clearance of a motion to discs that grow: f(t) = |x(t) - O| - R - V t, over the whole motion.
  *
- * On a line f is convex (a norm of an affine function, less an affine one), and with the distance h from O to the line its slope is
- * zero where the robot is h V / sqrt(w^2 - V^2) past the foot of the perpendicular, w being its speed: closed form.
+ * On a line f is convex (a norm of an affine function, less an affine one), and with the distance h from O to the line its
+ * slope is zero where the robot is h V / sqrt(w^2 - V^2) past the foot of the perpendicular, w being its speed: closed form.
  *
- * On an arc around the disc's own centre |x - O| is linear, and so is f: the ends decide. Around another centre two bounds hold on
- * any part [a, b] of the arc, with the constant speed w, tangential rate u and least radius r:
+ * On an arc around the disc's own centre |x - O| is linear, and so is f: the ends decide. Around another centre two bounds
+ * hold on any part [a, b] of the arc, with the constant speed w, tangential rate u and least radius r:
  *   f falls at most at w + V and rises at most at w - V, for |x - O| changes at most at w;
  *   f'' <= w^2 / g + |x''| = w^2 / g + w u / r, with g the least |x - O|, which is at least (|x(a) - O| + |x(b) - O| - w (b - a)) / 2: the
  *   motion across the direction to O bends |x - O| by at most w^2 / g. So f >= min(f(a), f(b)) - (w^2 / g + w u / r) (b - a)^2 / 8.
- * The arc is halved until one of them shows that a part holds nothing lower, by more than the resolution, than what was found.
+ * The arc is halved until one of them shows that a part holds nothing lower, by more than the resolution, than what was
+ * found.
  */
 #ifndef VERIFY_CLEARANCE_H
 #define VERIFY_CLEARANCE_H

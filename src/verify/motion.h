@@ -2,9 +2,9 @@
  * A leg as a motion in the plane: the verifier's own reading of tdsp/types.h, written without a look at the engine's.
  *
  * With x in [0, 1] the share of the leg's duration, a line is from + (to - from) x. On an arc the distance from the centre
- * is r = r0 + (r1 - r0) x and the direction is a0 + turn * sweep * ln(1 + q x) / ln(1 + q), q = (r1 - r0) / r0. Its radial rate is
- * r1 - r0 a duration; its tangential rate r * d(angle)/dx = sweep * r0 * q / ln(1 + q) a duration. Both are constant, so the
- * speed is too, and the velocity turns at the rate (tangential rate) / r: that bounds the acceleration.
+ * is r = r0 + (r1 - r0) x and the direction is a0 + turn * sweep * ln(1 + q x) / ln(1 + q), q = (r1 - r0) / r0. Its radial
+ * rate is r1 - r0 a duration; its tangential rate r * d(angle)/dx = sweep * r0 * q / ln(1 + q) a duration. Both are
+ * constant, so the speed is too, and the velocity turns at the rate (tangential rate) / r: that bounds the acceleration.
  */
 #ifndef VERIFY_MOTION_H
 #define VERIFY_MOTION_H

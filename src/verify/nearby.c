@@ -27,14 +27,19 @@ static void discs_halve(nearby_disc *discs, size_t low, size_t high, size_t midd
         const double pivot = center_along(&discs[low + (high - low) / 2], axis);
         size_t i = low, j = high - 1;
         for (;;) {
-            while (center_along(&discs[i], axis) < pivot) i++;
-            while (center_along(&discs[j], axis) > pivot) j--;
+            while (center_along(&discs[i], axis) < pivot)
+                i++;
+            while (center_along(&discs[j], axis) > pivot)
+                j--;
             if (i >= j) break;
             disc_swap(&discs[i++], &discs[j--]);
         }
-        if (middle < i) high = i;
-        else if (middle > j) low = j + 1;
-        else return;
+        if (middle < i)
+            high = i;
+        else if (middle > j)
+            low = j + 1;
+        else
+            return;
     }
 }
 
@@ -80,7 +85,8 @@ tdsp_status nearby_build(const tdsp_scene *scene, const tdsp_allocator *allocato
     nearby_index index = {NULL, NULL, count, 0, *allocator};
     if (count > 0) {
         size_t leaves = 1;
-        while (count / leaves > LEAF_DISCS) leaves *= 2;
+        while (count / leaves > LEAF_DISCS)
+            leaves *= 2;
         index.node_count = 2 * leaves - 1;
         index.discs = memory_array(allocator, count, sizeof *index.discs);
         index.nodes = memory_array(allocator, index.node_count, sizeof *index.nodes);

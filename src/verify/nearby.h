@@ -1,8 +1,8 @@
 /*
  * Inflated discs in a balanced tree of boxes, to leave out at once all those that cannot come near a leg.
  *
- * Node k has the children 2k + 1 and 2k + 2 and halves its range of discs, so that ranges and shape need no storing. Every node
- * knows the box of its centres and the largest radius and growth below it: at time t nothing below comes closer to a
+ * Node k has the children 2k + 1 and 2k + 2 and halves its range of discs, so that ranges and shape need no storing. Every
+ * node knows the box of its centres and the largest radius and growth below it: at time t nothing below comes closer to a
  * point than (distance to the box) - (largest radius) - (largest growth) * t.
  */
 #ifndef VERIFY_NEARBY_H

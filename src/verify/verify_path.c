@@ -1,10 +1,11 @@
 /*
  * The check of a path, after what include/tdsp/verify.h states.
  *
- * Two lengths decide what is rounding. The journey J is the greater of |sd| and the length of the way. The magnitude M is the largest
- * number that positions are computed from: coordinates of both ends, of legs and centres, radii of arcs, and the way that the top speed makes
- * in the time counted from zero; a double holds a position no better than 1.1e-16 M, and a few hundred roundings are allowed. The
- * tolerance is TDSP_VERIFY_TOLERANCE * J + TDSP_VERIFY_ROUNDING * M, M then taken over the disc with the least clearance too.
+ * Two lengths decide what is rounding. The journey J is the greater of |sd| and the length of the way. The magnitude M is
+ * the largest number that positions are computed from: coordinates of both ends, of legs and centres, radii of arcs, and the
+ * way that the top speed makes in the time counted from zero; a double holds a position no better than 1.1e-16 M, and a few
+ * hundred roundings are allowed. The tolerance is TDSP_VERIFY_TOLERANCE * J + TDSP_VERIFY_ROUNDING * M, M then taken over
+ * the disc with the least clearance too.
  */
 #include "tdsp/verify.h"
 
@@ -116,7 +117,8 @@ static void check_clearance(path_check *check, const clearance *least)
 static void check_legs(path_check *check, const tdsp_leg *legs, size_t count, double departure, double arrival)
 {
     check_scales(check, legs, count);
-    clearance least = {INFINITY, INFINITY, FINE_SHARE * check->tolerance, COARSE_SHARE * check->tolerance, departure, 0.0, TDSP_NO_DISC, 0};
+    clearance least = {INFINITY,     INFINITY, FINE_SHARE * check->tolerance, COARSE_SHARE * check->tolerance, departure, 0.0,
+                       TDSP_NO_DISC, 0};
     check_joins(check, legs, count, departure, arrival);
     for (size_t i = 0; i < count; i++) {
         const motion m = motion_of(&legs[i]);
@@ -136,9 +138,12 @@ tdsp_verdict check_path(const tdsp_scene *scene, const nearby_index *index, cons
     if (check.verdict.problems) return check.verdict;
     /* A path of no legs stays at the source for a moment. */
     const tdsp_point source = check.journey->source;
-    const tdsp_leg rest = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, departure, departure, source, source, {0.0, 0.0}, 0.0, 0.0, 0.0, 0.0};
-    if (count == 0) check_legs(&check, &rest, 1, departure, arrival);
-    else check_legs(&check, legs, count, departure, arrival);
+    const tdsp_leg rest = {TDSP_LEG_LINE, TDSP_NO_DISC, 0,   0,   departure, departure, source,
+                           source,        {0.0, 0.0},   0.0, 0.0, 0.0,       0.0};
+    if (count == 0)
+        check_legs(&check, &rest, 1, departure, arrival);
+    else
+        check_legs(&check, legs, count, departure, arrival);
     return check.verdict;
 }
 

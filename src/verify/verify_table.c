@@ -1,10 +1,10 @@
 /*
  * The check of a table against its scene.
  *
- * Row i answers the departures in (b_(i-1), b_i] with T between right_(i-1) and left_i. Held against each other: the departures
- * rise, left and right never fall, right_(i-1) <= left_i; the guarantee at the departure of the interval where it is tightest, which is its
- * beginning (a fixed gap in arrival weighs most against the smallest arrival). The row's path must arrive by b_i + left_i: moved earlier
- * it then serves every departure of the interval, for discs only grow.
+ * Row i answers the departures in (b_(i-1), b_i] with T between right_(i-1) and left_i. Held against each other: the
+ * departures rise, left and right never fall, right_(i-1) <= left_i; the guarantee at the departure of the interval where it
+ * is tightest, which is its beginning (a fixed gap in arrival weighs most against the smallest arrival). The row's path must
+ * arrive by b_i + left_i: moved earlier it then serves every departure of the interval, for discs only grow.
  *
  * A table that is monotone in arrival states A instead: b_(i-1) + right_(i-1) <= A <= b_i + left_i.
  */
@@ -59,10 +59,14 @@ static int row_keeps_guarantee(const table_check *check, const tdsp_row *before,
     const double lower = before->right, upper = arrival ? row->departure + row->left - begin : row->left;
     const double slack = rounding_of(begin, upper);
     switch (check->info.guarantee) {
-    case TDSP_GUARANTEE_TRAVEL: return upper <= (1.0 + epsilon) * lower + slack;
-    case TDSP_GUARANTEE_ARRIVAL: return begin + upper <= (1.0 + epsilon) * (begin + lower) + slack;
-    case TDSP_GUARANTEE_ABSOLUTE: return upper - lower <= check->info.delta + slack;
-    default: return 0;
+    case TDSP_GUARANTEE_TRAVEL:
+        return upper <= (1.0 + epsilon) * lower + slack;
+    case TDSP_GUARANTEE_ARRIVAL:
+        return begin + upper <= (1.0 + epsilon) * (begin + lower) + slack;
+    case TDSP_GUARANTEE_ABSOLUTE:
+        return upper - lower <= check->info.delta + slack;
+    default:
+        return 0;
     }
 }
 

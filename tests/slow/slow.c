@@ -16,10 +16,10 @@ static const double pi = 3.14159265358979323846;
 
 typedef struct node {
     slow_ride ride;
-    size_t from;    /* the ride that was left for this one, NOWHERE for the source */
-    double turned;  /* how far that one had turned */
-    double bound;   /* time plus the straight way left */
-    double end;     /* once explored: how far it is free; negative before */
+    size_t from;   /* the ride that was left for this one, NOWHERE for the source */
+    double turned; /* how far that one had turned */
+    double bound;  /* time plus the straight way left */
+    double end;    /* once explored: how far it is free; negative before */
 } node;
 
 typedef struct search {
@@ -105,8 +105,10 @@ static void on_leave(void *ctx, const slow_leave *leave)
     search *s = ctx;
     const slow_ride ride = s->nodes[s->exploring].ride;
     const slow_moment at = slow_ride_at(&s->world, &ride, leave->turned);
-    if (leave->target == SLOW_DESTINATION) leave_for_destination(s, at.x, at.y, at.time, leave->turned);
-    else leave_for_disc(s, leave->target, leave->side, at.x, at.y, at.time, leave->turned);
+    if (leave->target == SLOW_DESTINATION)
+        leave_for_destination(s, at.x, at.y, at.time, leave->turned);
+    else
+        leave_for_disc(s, leave->target, leave->side, at.x, at.y, at.time, leave->turned);
 }
 
 /* The source: every tangent from it, and every boundary that it lies on. */
@@ -120,8 +122,7 @@ static void explore_source(search *s)
         const int touches = fabs(slow_clearance(disc, 0.0, 0.0, s->departure)) <= slow_slack(disc, 0.0, 0.0, s->departure);
         for (int side = -1; side <= 1; side += 2) {
             leave_for_disc(s, i, side, 0.0, 0.0, s->departure, 0.0);
-            if (touches && disc->rate < 1.0)
-                add_ride(s, (slow_ride){i, side, atan2(-disc->y, -disc->x), s->departure}, 0.0);
+            if (touches && disc->rate < 1.0) add_ride(s, (slow_ride){i, side, atan2(-disc->y, -disc->x), s->departure}, 0.0);
         }
     }
 }
@@ -135,7 +136,8 @@ static int outrun(const search *s, const node *earlier, const node *later)
     if (turned > earlier->end) return 0;
     const slow_moment at = slow_ride_at(&s->world, &earlier->ride, turned);
     const double lead = later->ride.time - at.time;
-    if (lead <= SAME_TIME * later->ride.time) return lead >= -SAME_TIME * later->ride.time && earlier->ride.side == later->ride.side;
+    if (lead <= SAME_TIME * later->ride.time)
+        return lead >= -SAME_TIME * later->ride.time && earlier->ride.side == later->ride.side;
     const double length = lead * s->world.discs[later->ride.disc].rate;
     return slow_line_free(&s->world, at.x, at.y, later->ride.angle, at.time, length);
 }
@@ -294,8 +296,10 @@ double slow_departure(const tdsp_journey *journey, const tdsp_disc *discs, size_
         if (middle <= low || middle >= high) break;
         at = slow_arrival(journey, discs, count, middle);
         if (isnan(at)) return NAN;
-        if (at <= arrival) low = middle;
-        else high = middle;
+        if (at <= arrival)
+            low = middle;
+        else
+            high = middle;
     }
     return low;
 }

@@ -1,22 +1,23 @@
 /*
  * Sampling a ride.
  *
- * Free: between two samples the clearance to another disc can fall at most as fast as the robot and that disc approach, and its
- * second derivative is at most 1 / (distance between the robot and the centre) plus the rate at which the ride turns, so that between its
- * ends it sags by no more than an eighth of that times the square of the time; where neither excludes a collision the interval is halved.
+ * Free: between two samples the clearance to another disc can fall at most as fast as the robot and that disc approach, and
+ * its second derivative is at most 1 / (distance between the robot and the centre) plus the rate at which the ride turns, so
+ * that between its ends it sags by no more than an eighth of that times the square of the time; where neither excludes a
+ * collision the interval is halved.
  *
- * Leaves: the miss is the angle from the tangent of the moment to the robot's own direction. A leave is a change of its sign; an interval
- * over which the miss moves much, or bends towards zero between its samples, is looked at more closely.
+ * Leaves: the miss is the angle from the tangent of the moment to the robot's own direction. A leave is a change of its
+ * sign; an interval over which the miss moves much, or bends towards zero between its samples, is looked at more closely.
  */
 #include "slow/slow_ride.h"
 
 #include <math.h>
 
 #define SAMPLES_A_TURN 240.0
-#define GROWTH_A_STEP 0.02   /* of the radius */
+#define GROWTH_A_STEP 0.02 /* of the radius */
 #define MOST_STEPS 20000.0
-#define STEEP 0.2            /* radians of miss over one interval */
-#define NEAR_ZERO 1e-9       /* a miss that counts as none at an end or at a bend */
+#define STEEP 0.2      /* radians of miss over one interval */
+#define NEAR_ZERO 1e-9 /* a miss that counts as none at an end or at a bend */
 #define DEEPEST 48
 
 static const double pi = 3.14159265358979323846;
@@ -62,8 +63,8 @@ static int surely_free(const slow_world *world, const slow_ride *ride, const slo
 }
 
 /* The first place in (a, b] where `other` is met, or infinity. */
-static double first_collision(const slow_world *world, const slow_ride *ride, const slow_disc *other, ride_sample a, ride_sample b,
-                              int depth)
+static double first_collision(const slow_world *world, const slow_ride *ride, const slow_disc *other, ride_sample a,
+                              ride_sample b, int depth)
 {
     if (collides(other, &a)) return a.turned;
     if (!collides(other, &b) && (surely_free(world, ride, other, &a, &b) || depth == 0)) return INFINITY;
@@ -149,8 +150,10 @@ static void halve_to_zero(watch *w, miss a, miss b)
         if (middle <= a.turned || middle >= b.turned) break;
         const miss m = miss_at(w, middle);
         if (isnan(m.angle)) break;
-        if (changes_sign(a, m)) b = m;
-        else a = m;
+        if (changes_sign(a, m))
+            b = m;
+        else
+            a = m;
     }
     tell(w, fabs(a.angle) < fabs(b.angle) ? a.turned : b.turned);
 }
@@ -183,8 +186,10 @@ static void watch_bend(watch *w, miss a, miss m, miss b)
             return;
         }
         if (fabs(trial.angle) < fabs(m.angle)) {
-            if (left) b = m;
-            else a = m;
+            if (left)
+                b = m;
+            else
+                a = m;
             m = trial;
         } else if (left) {
             a = trial;

@@ -1,12 +1,13 @@
 /*
  * Geometry of one point and one disc; nothing here knows two discs.
  *
- * Tangent from a point: a robot leaves P at speed 1 in the direction u and reaches the disc after the length L tangentially: its own
- * motion along the outward normal n is the boundary's, u . n = c (the disc's rate). With D = O - P, R the radius at the start,
- * D = L u - (R + c L) n. Squared, with u . n = c and s^2 = 1 - c^2: |D|^2 = L^2 - 2 c L (R + c L) + (R + c L)^2 = s^2 L^2 + R^2.
- * So L = sqrt(|D|^2 - R^2) / s. Seen along u the centre lies L - c (R + c L) ahead and s (R + c L) aside.
+ * Tangent from a point: a robot leaves P at speed 1 in the direction u and reaches the disc after the length L tangentially:
+ * its own motion along the outward normal n is the boundary's, u . n = c (the disc's rate). With D = O - P, R the radius at
+ * the start, D = L u - (R + c L) n. Squared, with u . n = c and s^2 = 1 - c^2: |D|^2 = L^2 - 2 c L (R + c L) + (R + c L)^2 =
+ * s^2 L^2 + R^2. So L = sqrt(|D|^2 - R^2) / s. Seen along u the centre lies L - c (R + c L) ahead and s (R + c L) aside.
  *
- * Ride: the robot moves with c outward and s along the boundary, so d(angle) = s dt / R and dR = c dt: R = R0 exp(turned c / s).
+ * Ride: the robot moves with c outward and s along the boundary, so d(angle) = s dt / R and dR = c dt: R = R0 exp(turned c /
+ * s).
  */
 #include "slow/slow_world.h"
 

@@ -1,6 +1,6 @@
 /*
- * The slow solver's world: the source is the origin, the robot's speed is 1, the journey's length is 1 (or what is given where the journey
- * has none). Discs carry the robot's radius.
+ * The slow solver's world: the source is the origin, the robot's speed is 1, the journey's length is 1 (or what is given
+ * where the journey has none). Discs carry the robot's radius.
  */
 #ifndef SLOW_WORLD_H
 #define SLOW_WORLD_H
@@ -46,8 +46,8 @@ int slow_point_free(const slow_world *world, double x, double y, double time);
 int slow_line_free(const slow_world *world, double x, double y, double heading, double time, double length);
 
 /*
- * The tangent from a point to a disc on a side: +1 has the disc on the left at the contact, -1 on the right. Returns 0 where there is none:
- * the disc is as fast as the robot, is a mere point for ever, or contains the point.
+ * The tangent from a point to a disc on a side: +1 has the disc on the left at the contact, -1 on the right. Returns 0 where
+ * there is none: the disc is as fast as the robot, is a mere point for ever, or contains the point.
  */
 int slow_tangent(const slow_disc *disc, int side, double x, double y, double time, double *heading, double *length);
 

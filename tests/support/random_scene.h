@@ -1,6 +1,6 @@
 /*
- * Seeded scenes for property tests: mixes that force what is rare. The same seed gives the same scene on every machine: only integer
- * arithmetic and sums, products and square roots of doubles make them.
+ * Seeded scenes for property tests: mixes that force what is rare. The same seed gives the same scene on every machine: only
+ * integer arithmetic and sums, products and square roots of doubles make them.
  */
 #ifndef SUPPORT_RANDOM_SCENE_H
 #define SUPPORT_RANDOM_SCENE_H
@@ -10,15 +10,6 @@
 
 #include "tdsp/scene.h"
 #include "tdsp/types.h"
-
-typedef struct random_state {
-    uint64_t state; /* SplitMix64 */
-} random_state;
-
-random_state random_from_seed(uint64_t seed);
-uint64_t random_bits(random_state *random);
-double random_between(random_state *random, double low, double high); /* uniform in [low, high) */
-int random_below(random_state *random, int limit);                    /* uniform in 0 .. limit - 1 */
 
 /* One line each: the name, and what it is for. */
 #define RANDOM_MIXES(X)                                                                                                      \

@@ -177,7 +177,7 @@ $(filter-out %/firmware_lookup,$(EXAMPLES)): $(BUILD)/examples/%: examples/c/%.c
 # Firmware has no scene and no solver: an array made by `tdsp embed`, and the reader.
 $(BUILD)/examples/route.c: examples/scenes/two-discs.json $(COMMAND)
 	@mkdir -p $(@D)
-	$(BUILD)/tdsp build $< -o $(BUILD)/examples/route.tdsp
+	$(BUILD)/tdsp build $< -o $(BUILD)/examples/route.tdsp >/dev/null
 	$(BUILD)/tdsp embed $(BUILD)/examples/route.tdsp -o $@
 $(BUILD)/examples/firmware_lookup: examples/c/firmware_lookup.c $(BUILD)/examples/route.c $(QUERY)
 	$(CC) $(EXAMPLE_CFLAGS) $(LDFLAGS) $(filter %.c,$^) $(QUERY) -lm -o $@

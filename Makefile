@@ -187,7 +187,7 @@ examples: $(EXAMPLES) ## build the example programs of examples/c
 
 # ----------------------------------------------------------------------------------------------------------------- demo
 
-DEMO_SCENE ?= examples/scenes/fire-oregon-a.json
+DEMO_SCENE ?= $(firstword $(wildcard examples/scenes/fire-washington*.json) $(wildcard examples/scenes/fire-*.json) examples/scenes/two-discs.json)
 
 .PHONY: demo
 demo: ## the main job on a real scene: table and two pictures in build/demo
@@ -197,7 +197,7 @@ demo: ## the main job on a real scene: table and two pictures in build/demo
 
 .PHONY: pictures
 pictures: all ## draw the pictures of README.md again
-	tools/setup/pictures.sh $(BUILD) docs/pictures
+	tools/setup/pictures.sh $(BUILD) $(DEMO_SCENE) docs/pictures
 
 .PHONY: results
 results: all ## measure the real scenes of TDSP_DATA and write docs/results.md

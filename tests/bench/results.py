@@ -3,8 +3,8 @@
 
     results.py --command build/tdsp --scenes DIRECTORY [--limit SECONDS] [--only TEXT] -o docs/results.md
 
-For each scene with a path at departure 0: one exact arrival, then the adaptive and the geometric table at 1 %. A scene that does not finish within the limit
-says so in its row. Scenes are measured one after the other, each command on one thread, so that the times mean something.
+For each scene with a path at departure 0: one exact arrival, then adaptive and geometric tables at 1 %. What does not finish within the
+limit says so in its row. Scenes are measured one after the other, each command on one thread, so that the times mean something.
 """
 import argparse
 import json
@@ -18,15 +18,27 @@ import time
 
 HEADER = """# Results on real scenes
 
-Made by `make results`; do not edit. One departure is solved exactly for the column *arrive* (the search alone, the scene being
-prepared). Both tables promise 1 %: the adaptive one in travel time ("travel") and in arrival time ("arrival"), the geometric one, which
-is Algorithm 1 of the paper, in arrival time, the only promise that it can make. *Calls* are forward and reverse searches of the
-sampler; *seconds* are those of `tdsp build` on one thread.
+Made by `make results`; do not edit. {machine} Times are in seconds of one thread, unless they say otherwise, and in the scene's own unit where they are
+departures or travel times.
 
-{machine}
+## Scenes
 
-| scene | discs | arrive [ms] | T(0) | last departure | adaptive, travel: rows | calls | bytes | seconds | adaptive, arrival: rows | calls | seconds | geometric, arrival: rows | calls | bytes | seconds |
-|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+*arrive* is what one exact earliest arrival takes at departure 0, the best of three, the scene being prepared once before.
+
+| scene | discs | prepare [ms] | arrive [ms] | T(0) | last departure | and then |
+|---|--:|--:|--:|--:|--:|---|
+{scenes}
+
+## Tables at 1 %
+
+The adaptive tables promise travel time or arrival time, the geometric one, which is Algorithm 1 of the paper, arrival time, the only promise
+that it can make. *calls* are the sampler's forward and reverse searches; *seconds* are those of `tdsp build`.
+
+| scene | adaptive, travel: rows | calls | bytes | seconds | adaptive, arrival: rows | calls | bytes | seconds | geometric, arrival: rows | calls | bytes | seconds |
+|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+{tables}
+
+{closing}
 """
 TABLES = (("travel", "adaptive"), ("arrival", "adaptive"), ("arrival", "geometric"))
 
@@ -59,13 +71,18 @@ def machine():
             f"{time.strftime('%Y-%m-%d', time.gmtime())}.")
 
 
+def significant(value):
+    return f"{value:.3g}"
+
+
 def arrive_cells(command, scene, limit):
-    """Best of three departures at 0: milliseconds, T(0); None when there is no path."""
+    """Milliseconds to prepare and to solve, and T(0); None when there is no path."""
     answer = run([command, "arrive", "--json", scene, "0", "0", "0"], limit)
     results = answer["results"] if answer else []
     if not results or results[0]["arrival"] is None:
         return None
-    return [f"{1000 * min(r['seconds'] for r in results):.2f}", f"{results[0]['travel_time']:.6g}"]
+    return [significant(1000 * answer["prepare_seconds"]), significant(1000 * min(r["seconds"] for r in results)),
+            f"{results[0]['travel_time']:.6g}"]
 
 
 def build(command, scene, guarantee, sampling, limit):
@@ -82,33 +99,51 @@ def build(command, scene, guarantee, sampling, limit):
         return dict(run(line + ["--horizon", repr(10 * travel)], limit), horizon=True)
 
 
-def table_cells(report, guarantee, sampling):
-    calls = f"{report['forward_calls']} + {report['reverse_calls']}"
-    with_bytes = [str(report["bytes"])] if (guarantee, sampling) != ("arrival", "adaptive") else []
-    return [str(report["rows"]), calls] + with_bytes + [f"{report['seconds']:.2f}"]
+def table_cells(report):
+    return [str(report["rows"]), f"{report['forward_calls']} + {report['reverse_calls']}", str(report["bytes"]),
+            significant(report["seconds"])]
 
 
-def last_cell(report):
-    return f"{report['last_departure']:.6g} ({'horizon' if report.get('horizon') else report['last_reason']})"
+def last_cells(report):
+    return [f"{report['last_departure']:.6g}", ("horizon given: " if report.get("horizon") else "") + report["last_reason"]]
 
 
-def row(command, scene, limit):
-    """The cells of one scene, or None when it has no path."""
-    name = scene.stem
-    discs = len(json.loads(scene.read_text())["discs"])
+def measure(command, scene, limit):
+    """The cells of both tables for one scene, or None when it has no path."""
+    discs = len(json.loads(scene.read_text(encoding="utf-8"))["discs"])
     cells = arrive_cells(command, str(scene), limit)
     if cells is None:
         return None
-    last, tables = None, []
+    last, tables = ["", ""], []
     for guarantee, sampling in TABLES:
-        width = 3 if (guarantee, sampling) == ("arrival", "adaptive") else 4
         try:
             report = build(command, str(scene), guarantee, sampling, limit)
-            last = last or last_cell(report)
-            tables += table_cells(report, guarantee, sampling)
+            last = last_cells(report)
+            tables += table_cells(report)
         except Failed as why:
-            tables += [str(why)] + [""] * (width - 1)
-    return [name, str(discs)] + cells + [last or ""] + tables
+            tables += [str(why), "", "", ""]
+    return [scene.stem, str(discs)] + cells + last, [scene.stem] + tables
+
+
+def lines(rows):
+    return "\n".join("| " + " | ".join(cells) + " |" for cells in rows)
+
+
+def measure_all(options, scenes):
+    first, second, without = [], [], []
+    for scene in scenes:
+        print(f"results: {scene.stem}", file=sys.stderr)
+        try:
+            measured = measure(options.command, scene, options.limit)
+        except Failed as why:
+            measured = [scene.stem, "", str(why)] + [""] * 4, [scene.stem] + [""] * 12
+        if measured:
+            first.append(measured[0])
+            second.append(measured[1])
+        else:
+            without.append(scene.stem)
+    closing = f"No path at departure 0, so no table: {', '.join(without)}." if without else "Every scene has a path."
+    return HEADER.format(machine=machine(), scenes=lines(first), tables=lines(second), closing=closing)
 
 
 def main():
@@ -124,21 +159,7 @@ def main():
     if not scenes:
         print(f"results: no scenes in {options.scenes}; set TDSP_DATA", file=sys.stderr)
         return 1
-    lines, without = [], []
-    for scene in scenes:
-        print(f"results: {scene.stem}", file=sys.stderr)
-        try:
-            cells = row(options.command, scene, options.limit)
-        except Failed as why:
-            cells = [scene.stem, "", str(why)]
-        if cells is None:
-            without.append(scene.stem)
-        else:
-            lines.append("| " + " | ".join(cells) + " |")
-    text = HEADER.format(machine=machine()) + "\n".join(lines) + "\n"
-    if without:
-        text += "\nNo path at departure 0, so no table: " + ", ".join(without) + ".\n"
-    options.output.write_text(text, encoding="utf-8")
+    options.output.write_text(measure_all(options, scenes), encoding="utf-8")
     return 0
 
 

@@ -24,9 +24,9 @@ show "$build/tdsp" query "$table" 0 "$middle"
 show "$build/tdsp" path "$table" "$middle"
 show "$build/tdsp" verify "$scene" "$table"
 show "$build/tdsp" plot "$scene" --depart "$middle" -o "$out/$name-path.svg"
-show "$build/tdsp" plot "$table" -o "$out/$name-arrivals.svg"
+show "$build/tdsp" plot "$table" -o "$out/$name-travel-times.svg"
 
 echo
 echo "table:    $table"
 echo "pictures: $out/$name-path.svg (the path, leaving at $middle)"
-echo "          $out/$name-arrivals.svg (every arrival)"
+echo "          $out/$name-travel-times.svg (the travel time of every departure)"

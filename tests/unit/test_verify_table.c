@@ -1,0 +1,175 @@
+/* The verifier of tables: accepts what was built, and finds a number changed under right checksums. */
+#include "support/cmocka_all.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "support/golden.h"
+#include "tdsp/build.h"
+#include "tdsp/scene.h"
+#include "tdsp/solver.h"
+#include "tdsp/verify.h"
+
+static const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
+static const tdsp_disc discs[2] = {{{0.0, 3.0}, 1.0, 0.1}, {{0.0, -3.0}, 1.0, 0.1}};
+
+typedef struct fixture {
+    tdsp_scene *scene;
+    unsigned char *bytes;
+    size_t length;
+    tdsp_table table;
+} fixture;
+
+static void build(fixture *f, tdsp_guarantee guarantee, tdsp_sampling sampling)
+{
+    tdsp_solver *solver;
+    tdsp_oracle oracle;
+    tdsp_build_options options;
+    void *bytes;
+    assert_int_equal(tdsp_scene_create(&journey, discs, 2, NULL, &f->scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(f->scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_solver_oracle(solver, &oracle), TDSP_OK);
+    tdsp_build_options_init(&options);
+    options.guarantee = guarantee;
+    options.sampling = sampling;
+    options.epsilon = 0.01;
+    options.delta = 0.3;
+    options.world.scene_hash = tdsp_scene_hash(f->scene);
+    options.world.speed = journey.speed;
+    options.world.source = journey.source;
+    options.world.destination = journey.destination;
+    assert_int_equal(tdsp_build(&oracle, &options, NULL, &bytes, &f->length, NULL), TDSP_OK);
+    f->bytes = bytes;
+    assert_int_equal(tdsp_table_open(&f->table, f->bytes, f->length), TDSP_OK);
+    tdsp_solver_free(solver);
+}
+
+static void discard(fixture *f)
+{
+    tdsp_bytes_free(NULL, f->bytes, f->length);
+    tdsp_scene_free(f->scene);
+}
+
+static tdsp_table_verdict verdict_of(const fixture *f)
+{
+    tdsp_table_verdict verdict;
+    assert_int_equal(tdsp_verify_table(f->scene, &f->table, &verdict), TDSP_OK);
+    return verdict;
+}
+
+/* Change a double of a section, put the checksums right, and open again. */
+static void spoil(fixture *f, uint64_t section, uint64_t item, double factor)
+{
+    double value;
+    unsigned char *at = f->bytes + section + 8 * item;
+    memcpy(&value, at, 8);
+    value *= factor;
+    memcpy(at, &value, 8);
+    golden_seal(f->bytes, f->length);
+    assert_int_equal(tdsp_table_open(&f->table, f->bytes, f->length), TDSP_OK);
+}
+
+static void a_built_table_is_accepted_under_every_guarantee(void **state)
+{
+    (void)state;
+    for (int guarantee = 0; guarantee < 4; guarantee++) {
+        fixture f;
+        if (guarantee == 3) build(&f, TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_GEOMETRIC);
+        else build(&f, (tdsp_guarantee)guarantee, TDSP_SAMPLING_ADAPTIVE);
+        const tdsp_table_verdict verdict = verdict_of(&f);
+        assert_true(verdict.ok);
+        assert_false(verdict.stale);
+        assert_true(verdict.first_bad_row == UINT64_MAX);
+        assert_int_equal(verdict.worst.problems, 0);
+        assert_true(verdict.worst.min_clearance >= -verdict.worst.tolerance);
+        discard(&f);
+    }
+}
+
+static void a_table_of_another_scene_is_stale(void **state)
+{
+    (void)state;
+    fixture f;
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    tdsp_scene_free(f.scene);
+    tdsp_disc smaller[2] = {discs[0], discs[1]};
+    smaller[1].radius *= 0.5;
+    assert_int_equal(tdsp_scene_create(&journey, smaller, 2, NULL, &f.scene), TDSP_OK);
+    const tdsp_table_verdict verdict = verdict_of(&f);
+    assert_false(verdict.ok);
+    assert_true(verdict.stale);
+    assert_int_equal(verdict.bad_order + verdict.bad_ratio, 0);
+    discard(&f);
+}
+
+static void larger_discs_make_rows_fail_by_their_paths(void **state)
+{
+    (void)state;
+    fixture f;
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    tdsp_scene_free(f.scene);
+    tdsp_disc larger[2] = {discs[0], discs[1]};
+    larger[0].radius += 1e-3;
+    assert_int_equal(tdsp_scene_create(&journey, larger, 2, NULL, &f.scene), TDSP_OK);
+    const tdsp_table_verdict verdict = verdict_of(&f);
+    assert_true(verdict.bad_paths > 0);
+    assert_int_equal(verdict.worst.problems & TDSP_PROBLEM_CLEARANCE, TDSP_PROBLEM_CLEARANCE);
+    assert_true(verdict.worst.min_clearance < -1e-4);
+    discard(&f);
+}
+
+static void an_upper_end_that_is_too_high_breaks_the_guarantee(void **state)
+{
+    (void)state;
+    fixture f;
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    const uint64_t last = f.table.rows - 1;
+    spoil(&f, f.table.left, last, 1.02);
+    const tdsp_table_verdict verdict = verdict_of(&f);
+    assert_false(verdict.ok);
+    assert_int_equal(verdict.bad_ratio, 1);
+    assert_int_equal(verdict.bad_paths, 0);
+    assert_true(verdict.first_bad_row == last);
+    discard(&f);
+}
+
+static void a_path_that_ends_beside_the_destination_is_a_bad_path(void **state)
+{
+    (void)state;
+    fixture f;
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    tdsp_scene_free(f.scene);
+    tdsp_journey farther = journey;
+    farther.destination.x += 1e-6;
+    assert_int_equal(tdsp_scene_create(&farther, discs, 2, NULL, &f.scene), TDSP_OK);
+    const tdsp_table_verdict verdict = verdict_of(&f);
+    assert_int_equal(verdict.bad_paths, f.table.rows);
+    assert_true(verdict.first_bad_row == 0);
+    assert_int_equal(verdict.worst.problems, TDSP_PROBLEM_END);
+    discard(&f);
+}
+
+static void null_arguments_are_refused(void **state)
+{
+    (void)state;
+    fixture f;
+    tdsp_table_verdict verdict;
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    assert_int_equal(tdsp_verify_table(NULL, &f.table, &verdict), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_verify_table(f.scene, NULL, &verdict), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_verify_table(f.scene, &f.table, NULL), TDSP_INVALID_ARGUMENT);
+    discard(&f);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_built_table_is_accepted_under_every_guarantee),
+        cmocka_unit_test(a_table_of_another_scene_is_stale),
+        cmocka_unit_test(larger_discs_make_rows_fail_by_their_paths),
+        cmocka_unit_test(an_upper_end_that_is_too_high_breaks_the_guarantee),
+        cmocka_unit_test(a_path_that_ends_beside_the_destination_is_a_bad_path),
+        cmocka_unit_test(null_arguments_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -102,12 +102,10 @@ tdsp_status index_build(scene_index *index, const tdsp_allocator *allocator, ind
         uint32_t first, count, parent;
     } todo[INDEX_DEPTH];
     int top = 0;
-    index->nodes = NULL;
-    index->node_count = index->node_capacity = 0;
-    if (items.count == 0) return TDSP_OK;
-    index->nodes = memory_array(allocator, 2 * (size_t)items.count, sizeof *index->nodes);
-    if (!index->nodes) return TDSP_NO_MEMORY;
-    index->node_capacity = 2 * items.count;
+    tdsp_status status = memory_reserve(allocator, (void **)&index->nodes, &index->node_capacity, 2 * (size_t)items.count,
+                                        sizeof *index->nodes);
+    index->node_count = 0;
+    if (status != TDSP_OK || items.count == 0) return status;
     todo[top].first = 0;
     todo[top].count = items.count;
     todo[top++].parent = INDEX_NONE;
@@ -135,6 +133,9 @@ tdsp_status index_build(scene_index *index, const tdsp_allocator *allocator, ind
 void index_free(scene_index *index, const tdsp_allocator *allocator)
 {
     memory_free(allocator, index->nodes, index->node_capacity * sizeof *index->nodes);
+    index->nodes = NULL;
+    index->node_count = 0;
+    index->node_capacity = 0;
 }
 
 double index_node_distance(const index_node *node, tdsp_point place)
@@ -195,7 +196,7 @@ static int node_meets_line(const index_node *node, const index_view *view, const
     return across <= reach + fabs(line->heading.y) * half_x + fabs(line->heading.x) * half_y;
 }
 
-int index_line_blocked(const index_view *view, const geom_line *line, uint32_t skip, uint32_t other_skip)
+void index_line_visit(const index_view *view, const geom_line *line, uint32_t skip, uint32_t other_skip, index_visit visit, void *ctx)
 {
     index_walk walk;
     walk_start(&walk, view->index);
@@ -205,10 +206,23 @@ int index_line_blocked(const index_view *view, const geom_line *line, uint32_t s
             continue;
         }
         for (uint32_t k = node->first; k < node->first + node->count; ++k)
-            if (k != skip && k != other_skip && line_blocked(line, &view->discs[k])) return 1;
+            if (k != skip && k != other_skip && line_blocked(line, &view->discs[k]) && !visit(ctx, k)) return;
         walk_enter(&walk);
     }
+}
+
+static int visit_blocked(void *ctx, uint32_t disc)
+{
+    (void)disc;
+    *(int *)ctx = 1;
     return 0;
+}
+
+int index_line_blocked(const index_view *view, const geom_line *line, uint32_t skip, uint32_t other_skip)
+{
+    int blocked = 0;
+    index_line_visit(view, line, skip, other_skip, visit_blocked, &blocked);
+    return blocked;
 }
 
 uint32_t index_line_first(const index_view *view, const geom_line *line, uint32_t skip, double *length)
@@ -234,31 +248,67 @@ uint32_t index_line_first(const index_view *view, const geom_line *line, uint32_
     return first;
 }
 
+/* A ride stays within half its duration of its middle. */
+typedef struct ride_reach {
+    tdsp_point middle;
+    double margin;
+    double late; /* the true time at which radii are largest */
+} ride_reach;
+
+static ride_reach reach_of_ride(const index_view *view, const geom_ride *ride)
+{
+    double half = 0.5 * (ride->end - ride->start);
+    ride_reach reach = {ride_position(ride, ride->start + half), half * (1.0 + 1e-9) + 1e-12,
+                        fmax(view->sign * ride->start, view->sign * ride->end)};
+    return reach;
+}
+
+static int reach_meets_disc(const ride_reach *reach, const geom_ride *ride, const geom_disc *disc)
+{
+    double radius = fmax(disc_radius(disc, ride->start), disc_radius(disc, ride->end));
+    return point_distance(reach->middle, disc->center) <= reach->margin + radius;
+}
+
 double index_ride_contact(const index_view *view, const geom_ride *ride, uint32_t self)
 {
     geom_ride part = *ride;
-    double half = 0.5 * (ride->end - ride->start), late = fmax(view->sign * ride->start, view->sign * ride->end);
-    tdsp_point middle = ride_position(ride, ride->start + half);
+    ride_reach reach = reach_of_ride(view, ride);
     double first = INFINITY;
     index_walk walk;
     walk_start(&walk, view->index);
     for (const index_node *node; (node = walk_node(&walk)) != NULL;) {
-        double margin = half * (1.0 + 1e-9) + 1e-12;
-        if (index_node_distance(node, middle) > margin + index_node_reach(node, late)) {
+        if (index_node_distance(node, reach.middle) > reach.margin + index_node_reach(node, reach.late)) {
             walk_skip(&walk);
             continue;
         }
         for (uint32_t k = node->first; k < node->first + node->count; ++k) {
-            const geom_disc *other = &view->discs[k];
-            double reach = fmax(disc_radius(other, ride->start), disc_radius(other, ride->end));
-            if (k == self || point_distance(middle, other->center) > margin + reach) continue;
-            double contact = ride_contact(&part, other);
+            if (k == self || !reach_meets_disc(&reach, ride, &view->discs[k])) continue;
+            double contact = ride_contact(&part, &view->discs[k]);
             if (contact < first) first = part.end = contact;
             if (first <= ride->start) return first;
         }
         walk_enter(&walk);
     }
     return first;
+}
+
+void index_ride_visit(const index_view *view, const geom_ride *ride, uint32_t self, index_visit visit, void *ctx)
+{
+    ride_reach reach = reach_of_ride(view, ride);
+    index_walk walk;
+    walk_start(&walk, view->index);
+    for (const index_node *node; (node = walk_node(&walk)) != NULL;) {
+        if (index_node_distance(node, reach.middle) > reach.margin + index_node_reach(node, reach.late)) {
+            walk_skip(&walk);
+            continue;
+        }
+        for (uint32_t k = node->first; k < node->first + node->count; ++k) {
+            const geom_disc *other = &view->discs[k];
+            if (k == self || !reach_meets_disc(&reach, ride, other)) continue;
+            if (!isinf(ride_contact(ride, other)) && !visit(ctx, k)) return;
+        }
+        walk_enter(&walk);
+    }
 }
 
 void index_near(const index_view *view, tdsp_point place, double margin, double true_time, index_visit visit, void *ctx)

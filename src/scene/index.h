@@ -24,7 +24,7 @@ typedef struct index_node {
 typedef struct scene_index {
     index_node *nodes;
     uint32_t node_count;
-    uint32_t node_capacity;
+    size_t node_capacity;
 } scene_index;
 
 /* The depth that no tree of up to 2^31 discs exceeds. */
@@ -37,7 +37,7 @@ typedef struct index_items {
     uint32_t count;
 } index_items;
 
-/* Build over the items, reordering them. TDSP_OK or TDSP_NO_MEMORY. O(n log n) expected. */
+/* Build over the items, reordering them; an index built before is replaced and its memory used again. TDSP_OK or TDSP_NO_MEMORY. O(n log n) expected. */
 tdsp_status index_build(scene_index *index, const tdsp_allocator *allocator, index_items items);
 void index_free(scene_index *index, const tdsp_allocator *allocator);
 
@@ -56,11 +56,17 @@ int index_line_blocked(const index_view *view, const geom_line *line, uint32_t s
 /* The disc that it enters first, after *length; INDEX_NONE when none. */
 uint32_t index_line_first(const index_view *view, const geom_line *line, uint32_t skip, double *length);
 
+/* Calls visit for each disc that the motion enters, besides the two it is tangent to; stops when it returns 0. */
+typedef int (*index_visit)(void *ctx, uint32_t disc);
+void index_line_visit(const index_view *view, const geom_line *line, uint32_t skip, uint32_t other_skip, index_visit visit, void *ctx);
+
+/* Calls visit for each disc that the ride enters; stops when it returns 0. */
+void index_ride_visit(const index_view *view, const geom_ride *ride, uint32_t self, index_visit visit, void *ctx);
+
 /* When a ride on disc `self` first enters another; infinite when it does not. */
 double index_ride_contact(const index_view *view, const geom_ride *ride, uint32_t self);
 
 /* Calls visit for each disc whose boundary may come within `margin` of a place at the true time; stops when it returns 0. */
-typedef int (*index_visit)(void *ctx, uint32_t disc);
 void index_near(const index_view *view, tdsp_point place, double margin, double true_time, index_visit visit, void *ctx);
 
 /* Distance from a place to the node's box: 0 inside. */

@@ -119,52 +119,36 @@ static void frame_discs(const tdsp_scene *scene, index_items items)
 }
 
 /* Index, drop what can never matter, index what is left. */
-static tdsp_status scene_index_discs(tdsp_scene *scene)
+static tdsp_status scene_prepare_discs(tdsp_scene *scene)
 {
-    index_items items = {scene->forward, scene->given, (uint32_t)scene->count};
+    disc_set *all = &scene->all;
+    tdsp_status status = set_reserve(all, &scene->allocator, scene->count);
+    if (status != TDSP_OK) return status;
+    index_items items = {all->forward, all->origin, (uint32_t)scene->count};
     frame_discs(scene, items);
-    tdsp_status status = index_build(&scene->index, &scene->allocator, items);
-    if (status != TDSP_OK) return status;
-    status = cover_drop(&scene->index, &scene->allocator, items, &scene->active);
-    index_free(&scene->index, &scene->allocator);
-    scene->index.nodes = NULL;
-    if (status != TDSP_OK) return status;
-    items.count = scene->active;
-    return index_build(&scene->index, &scene->allocator, items);
+    status = index_build(&all->index, &scene->allocator, items);
+    if (status == TDSP_OK) status = cover_drop(&all->index, &scene->allocator, items, &all->count);
+    return status == TDSP_OK ? set_prepare(all, &scene->allocator) : status;
 }
 
-static void scene_reverse_discs(tdsp_scene *scene)
-{
-    scene->rate_min = INFINITY;
-    for (uint32_t i = 0; i < scene->active; ++i) {
-        const geom_disc *disc = &scene->forward[i];
-        scene->reverse[i] = disc_make(disc->center, disc->radius, -disc->rate);
-        scene->rate_min = fmin(scene->rate_min, disc->rate);
-    }
-}
-
-static tdsp_status scene_allocate(tdsp_scene *scene)
+static tdsp_status scene_copy_discs(tdsp_scene *scene, const tdsp_disc *discs)
 {
     if (scene->count == 0) return TDSP_OK;
     scene->discs = memory_array(&scene->allocator, scene->count, sizeof *scene->discs);
-    scene->forward = memory_array(&scene->allocator, scene->count, sizeof *scene->forward);
-    scene->reverse = memory_array(&scene->allocator, scene->count, sizeof *scene->reverse);
-    scene->given = memory_array(&scene->allocator, scene->count, sizeof *scene->given);
-    return scene->discs && scene->forward && scene->reverse && scene->given ? TDSP_OK : TDSP_NO_MEMORY;
+    if (!scene->discs) return TDSP_NO_MEMORY;
+    memcpy(scene->discs, discs, scene->count * sizeof *discs);
+    return TDSP_OK;
 }
 
 static tdsp_status scene_prepare(tdsp_scene *scene, const tdsp_disc *discs)
 {
-    tdsp_status status = scene_allocate(scene);
+    tdsp_status status = scene_copy_discs(scene, discs);
     if (status != TDSP_OK) return status;
-    if (scene->count) memcpy(scene->discs, discs, scene->count * sizeof *discs);
     scene->hash = scene_hash(scene);
     scene->source_cover = cover_of(scene, scene->journey.source);
     scene->destination_cover = cover_of(scene, scene->journey.destination);
     scene_set_frame(scene);
-    status = scene_index_discs(scene);
-    if (status == TDSP_OK) scene_reverse_discs(scene);
-    return status;
+    return scene_prepare_discs(scene);
 }
 
 static tdsp_status scene_check(const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
@@ -202,10 +186,7 @@ void tdsp_scene_free(tdsp_scene *scene)
     if (!scene) return;
     tdsp_allocator memory = scene->allocator;
     memory_free(&memory, scene->discs, scene->count * sizeof *scene->discs);
-    memory_free(&memory, scene->forward, scene->count * sizeof *scene->forward);
-    memory_free(&memory, scene->reverse, scene->count * sizeof *scene->reverse);
-    memory_free(&memory, scene->given, scene->count * sizeof *scene->given);
-    index_free(&scene->index, &memory);
+    set_free(&scene->all, &memory);
     memory_free(&memory, scene, sizeof *scene);
 }
 

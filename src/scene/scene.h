@@ -3,15 +3,14 @@
  *
  * Frame: the origin is the middle of the journey, its length |sd| is 1 and the robot's speed is 1, so that times and the
  * lengths travelled in them are the same numbers. A journey of length 0 takes its unit from the discs. Discs that can never
- * matter are left out; `forward[k]` and `reverse[k]` are the same disc for time running forwards and backwards,
- * in the order of the index.
+ * matter are left out.
  */
 #ifndef SCENE_SCENE_H
 #define SCENE_SCENE_H
 
 #include "geom/disc.h"
 #include "scene/allocator.h"
-#include "scene/index.h"
+#include "scene/disc_set.h"
 #include "tdsp/scene.h"
 
 /* When an end of the journey is covered first, in the user's units, and by which of the user's discs. */
@@ -35,12 +34,7 @@ struct tdsp_scene {
     double extent; /* of the discs' places and radii, in the frame */
     tdsp_point source; /* in the frame */
     tdsp_point destination;
-    geom_disc *forward;
-    geom_disc *reverse;
-    uint32_t *given; /* index of each in `discs` */
-    uint32_t active; /* how many of them */
-    double rate_min; /* of the active discs */
-    scene_index index;
+    disc_set all; /* the discs that matter; origin: the index in `discs` */
 };
 
 /* Is this end inside a disc at a time in the user's units? */

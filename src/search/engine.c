@@ -18,7 +18,7 @@ static double label_bound(void *ctx, const tdsp_label *label)
     return 0.0;
 }
 
-static geom_line leg_line(const disc_engine *engine, const engine_leg *leg)
+geom_line engine_leg_motion(const disc_engine *engine, const engine_leg *leg)
 {
     tdsp_point from = engine->question.start;
     if (leg->ride != ENGINE_NONE) from = disc_boundary(engine_disc(engine, engine->rides[leg->ride].disc), leg->normal, leg->leave);
@@ -26,27 +26,28 @@ static geom_line leg_line(const disc_engine *engine, const engine_leg *leg)
     return line;
 }
 
-static uint32_t leg_origin(const disc_engine *engine, const engine_leg *leg)
+uint32_t engine_leg_origin(const disc_engine *engine, const engine_leg *leg)
 {
     return leg->ride == ENGINE_NONE ? INDEX_NONE : engine->rides[leg->ride].disc;
 }
 
 static int leg_blocked(disc_engine *engine, const engine_leg *leg)
 {
-    geom_line line = leg_line(engine, leg);
+    geom_line line = engine_leg_motion(engine, leg);
     ++engine->legs_tested;
-    return index_line_blocked(&engine->view, &line, leg_origin(engine, leg), leg->disc);
+    return index_line_blocked(&engine->view, &line, engine_leg_origin(engine, leg), leg->disc);
 }
 
-/* Is what stops this leg to the goal a disc that covers the goal by then? */
-static int leg_stopped_by_cover(disc_engine *engine, const engine_leg *leg)
+/* Is what stops this leg to the goal a disc that covers the goal by then? The leg is cut there. */
+static int leg_stopped_by_cover(disc_engine *engine, engine_leg *leg)
 {
-    geom_line line = leg_line(engine, leg);
+    geom_line line = engine_leg_motion(engine, leg);
     double length;
-    uint32_t first = index_line_first(&engine->view, &line, leg_origin(engine, leg), &length);
+    uint32_t first = index_line_first(&engine->view, &line, engine_leg_origin(engine, leg), &length);
     if (first == INDEX_NONE) return 1;
+    leg->length = length;
     const geom_disc *disc = engine_disc(engine, first);
-    double radius = disc_radius(disc, leg->leave + length);
+    double radius = disc_radius(disc, leg_arrival(leg));
     return point_distance(disc->center, engine->question.goal) <= radius * (1.0 + COVERS_GOAL) + COVERS_GOAL;
 }
 
@@ -62,23 +63,36 @@ static void engine_set_limit(disc_engine *engine, double limit)
     tdsp_search_limit(engine->open, limit);
 }
 
-tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done)
+static tdsp_status engine_add_leg(disc_engine *engine, const engine_leg *leg, uint32_t *added)
 {
-    if (leg_arrival(leg) + leg->bound > engine->limit) return TDSP_OK;
-    if (leg->disc == ENGINE_GOAL) {
-        if (engine->question.explain) {
-            engine->way_open = *done = leg_stopped_by_cover(engine, leg);
-            return TDSP_OK;
-        }
-        if (!goal_leg_good(engine, leg)) return TDSP_OK;
-        engine_set_limit(engine, leg_arrival(leg));
-    }
     if (engine->leg_count >= ENGINE_GOAL) return TDSP_NO_MEMORY;
     tdsp_status status = memory_reserve(&engine->scene->allocator, (void **)&engine->legs, &engine->leg_capacity,
                                         engine->leg_count + 1, sizeof *engine->legs);
     if (status != TDSP_OK) return status;
-    tdsp_label label = {leg_arrival(leg), (uint32_t)engine->leg_count, LABEL_LEG};
+    *added = (uint32_t)engine->leg_count;
     engine->legs[engine->leg_count++] = *leg;
+    return TDSP_OK;
+}
+
+/* A leg to the goal when the question is why there is no way. */
+static tdsp_status engine_explain_leg(disc_engine *engine, engine_leg leg, int *done)
+{
+    *done = leg_stopped_by_cover(engine, &leg);
+    return *done ? engine_add_leg(engine, &leg, &engine->arrived) : TDSP_OK;
+}
+
+tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done)
+{
+    uint32_t added;
+    if (leg_arrival(leg) + leg->bound > engine->limit) return TDSP_OK;
+    if (leg->disc == ENGINE_GOAL) {
+        if (engine->question.explain) return engine_explain_leg(engine, *leg, done);
+        if (!goal_leg_good(engine, leg)) return TDSP_OK;
+        engine_set_limit(engine, leg_arrival(leg));
+    }
+    tdsp_status status = engine_add_leg(engine, leg, &added);
+    if (status != TDSP_OK) return status;
+    tdsp_label label = {leg_arrival(leg), added, LABEL_LEG};
     return tdsp_search_push(engine->open, &label);
 }
 
@@ -142,22 +156,23 @@ static void engine_forget(disc_engine *engine)
 {
     engine->leg_count = engine->ride_count = 0;
     engine->arrived = ENGINE_NONE;
-    engine->way_open = 0;
-    if (++engine->stamp == 0 && engine->scene->active) {
-        memset(engine->stamps, 0, 2 * (size_t)engine->scene->active * sizeof *engine->stamps);
+    if (++engine->stamp == 0 && engine->scene->all.count) {
+        memset(engine->stamps, 0, 2 * (size_t)engine->scene->all.count * sizeof *engine->stamps);
         engine->stamp = 1;
     }
 }
 
-tdsp_status engine_run(disc_engine *engine, const engine_question *question)
+tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question)
 {
     const tdsp_search_problem problem = {sizeof problem, engine, label_bound, expand};
     const tdsp_label start = {question->time, 0, LABEL_START};
     engine_forget(engine);
     engine->question = *question;
     engine->goal = disc_point(question->goal);
+    engine->set = set;
+    engine->view.index = &set->index;
     engine->view.sign = question->direction;
-    engine->view.discs = question->direction == ENGINE_FORWARD ? engine->scene->forward : engine->scene->reverse;
+    engine->view.discs = question->direction == ENGINE_FORWARD ? set->forward : set->reverse;
     return tdsp_search_run(engine->open, &problem, &start, 1, NULL);
 }
 
@@ -170,11 +185,10 @@ tdsp_status engine_create(disc_engine *engine, const tdsp_scene *scene)
 {
     memset(engine, 0, sizeof *engine);
     engine->scene = scene;
-    engine->view.index = &scene->index;
     engine->arrived = ENGINE_NONE;
     tdsp_status status = tdsp_search_create(&scene->allocator, &engine->open);
-    if (status != TDSP_OK || scene->active == 0) return status;
-    size_t lists = 2 * (size_t)scene->active;
+    if (status != TDSP_OK || scene->all.count == 0) return status;
+    size_t lists = 2 * (size_t)scene->all.count;
     engine->heads = memory_array(&scene->allocator, lists, sizeof *engine->heads);
     engine->stamps = memory_array(&scene->allocator, lists, sizeof *engine->stamps);
     if (!engine->heads || !engine->stamps) {
@@ -187,9 +201,11 @@ tdsp_status engine_create(disc_engine *engine, const tdsp_scene *scene)
 
 void engine_free(disc_engine *engine)
 {
+    if (!engine->scene) return;
     const tdsp_allocator *memory = &engine->scene->allocator;
-    size_t lists = 2 * (size_t)engine->scene->active;
+    size_t lists = 2 * (size_t)engine->scene->all.count;
     tdsp_search_free(engine->open);
+    heap_free(&engine->looks, memory);
     memory_free(memory, engine->legs, engine->leg_capacity * sizeof *engine->legs);
     memory_free(memory, engine->rides, engine->ride_capacity * sizeof *engine->rides);
     memory_free(memory, engine->heads, lists * sizeof *engine->heads);
@@ -199,7 +215,7 @@ void engine_free(disc_engine *engine)
 
 uint64_t engine_bytes(const disc_engine *engine)
 {
-    uint64_t lists = 2 * (uint64_t)engine->scene->active * (sizeof *engine->heads + sizeof *engine->stamps);
+    uint64_t lists = 2 * (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
     return lists + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
-           engine->open->open.capacity * sizeof(heap_slot) + sizeof *engine;
+           (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot) + sizeof *engine;
 }

@@ -67,11 +67,13 @@ typedef struct engine_question {
 
 typedef struct disc_engine {
     const tdsp_scene *scene;
+    const disc_set *set; /* of the run; a part of the scene's discs at most */
     tdsp_search *open;
     engine_question question;
     index_view view;
     geom_disc goal; /* as a point */
     double limit;
+    label_heap looks; /* what a chunk has still to look at */
     engine_leg *legs;
     size_t leg_count, leg_capacity;
     engine_ride *rides;
@@ -80,7 +82,6 @@ typedef struct disc_engine {
     uint32_t *stamps; /* the run in which a head was set */
     uint32_t stamp;
     uint32_t arrived; /* the leg that reached the goal, or ENGINE_NONE */
-    int way_open;     /* explain: only the goal's cover stopped a leg */
     uint64_t legs_tested;
 } disc_engine;
 
@@ -88,8 +89,11 @@ tdsp_status engine_create(disc_engine *engine, const tdsp_scene *scene);
 void engine_free(disc_engine *engine);
 uint64_t engine_bytes(const disc_engine *engine);
 
-/* Search. Afterwards `arrived` names the last leg of the path, or is ENGINE_NONE. */
-tdsp_status engine_run(disc_engine *engine, const engine_question *question);
+/*
+ * Search among the discs of a set, whose indices the question's seeds and all labels use. Afterwards `arrived` names the last leg of
+ * the path, or is ENGINE_NONE. A question that asks to explain arrives with a leg that only the goal's cover stopped.
+ */
+tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question);
 
 /* The time at which the path found reaches the goal. */
 double engine_arrival(const disc_engine *engine);
@@ -112,6 +116,12 @@ static inline double engine_true_time(const disc_engine *engine, double time)
 {
     return engine->view.sign * time;
 }
+
+/* The leg's motion. */
+geom_line engine_leg_motion(const disc_engine *engine, const engine_leg *leg);
+
+/* The disc that a leg leaves; INDEX_NONE for the start. */
+uint32_t engine_leg_origin(const disc_engine *engine, const engine_leg *leg);
 
 /* The ride's motion from `from` to `to`. */
 geom_ride engine_ride_motion(const disc_engine *engine, const engine_ride *ride, double from, double to);

@@ -99,13 +99,13 @@ static int gap_visit(void *ctx, uint32_t second)
     return 1;
 }
 
-tdsp_status gap_collect(tdsp_solver *solver, double departure, double arrival)
+tdsp_status gap_collect(tdsp_solver *solver, const disc_set *set, double departure, double arrival)
 {
     const tdsp_scene *scene = solver->scene;
-    gap_job job = {solver, {&scene->index, scene->forward, 1.0}, 0, departure, arrival, TDSP_OK};
+    gap_job job = {solver, {&set->index, set->forward, 1.0}, 0, departure, arrival, TDSP_OK};
     solver->gap_count = 0;
-    for (job.first = 0; job.first < scene->active && job.status == TDSP_OK; ++job.first) {
-        const geom_disc *disc = &scene->forward[job.first];
+    for (job.first = 0; job.first < set->count && job.status == TDSP_OK; ++job.first) {
+        const geom_disc *disc = &set->forward[job.first];
         double reach = disc_radius(disc, arrival);
         double way = point_distance(disc->center, scene->source) + point_distance(disc->center, scene->destination);
         if (!disc_ridable(disc) || departure + way - 2.0 * reach > arrival) continue;

@@ -17,7 +17,7 @@
 typedef struct gap_event {
     double time; /* in the frame, true time */
     tdsp_point place;
-    uint32_t first, second; /* the discs i < j, in index order */
+    uint32_t first, second; /* the discs i < j of the set */
     int side;               /* s, for the first */
     double normal[2];       /* of the corner on either disc */
     double departure;       /* a bound on, or once `solved` the value of, the latest departure through it; the frame's time */
@@ -26,8 +26,8 @@ typedef struct gap_event {
 
 /*
  * The events that a robot could pass when it leaves after `departure` and arrives by `arrival` (the frame's times) as far as straight
- * lines tell, and whose corner no other disc covers, into solver->gaps.
+ * lines tell, and whose corner no other disc of the set covers, into solver->gaps.
  */
-tdsp_status gap_collect(tdsp_solver *solver, double departure, double arrival);
+tdsp_status gap_collect(tdsp_solver *solver, const disc_set *set, double departure, double arrival);
 
 #endif

@@ -18,12 +18,17 @@
 /* A(t) counts as equal to a within this share of the times at hand. */
 #define SAME_TIME 1e-11
 
+/* A departure solved for backwards is this far from the forward search's own last double, at most. */
+#define STEP_BACK 1e-12
+
 /* The proof looks this share of the times at hand past the answer. */
 #define PROOF_STEP 2e-9
 
 /* What is known so far; times in the user's units. */
 typedef struct latest_state {
     tdsp_solver *solver;
+    const disc_set *set;
+    tdsp_solver_work before; /* the counters when the question came in */
     double arrival;  /* a */
     double best;     /* the latest departure known to arrive by a; negative when none */
     double arrives;  /* A(best) */
@@ -41,7 +46,7 @@ static int latest_try(latest_state *state, double departure, tdsp_status *status
 {
     tdsp_solver *solver = state->solver;
     double found = INFINITY;
-    *status = solver_forward(solver, departure, &found);
+    *status = solver_forward(solver, state->set, departure, &found);
     if (!tdsp_status_is_answer(*status)) return 0;
     int good = *status == TDSP_OK && found - state->arrival <= latest_slack(state, SAME_TIME);
     *status = TDSP_OK;
@@ -56,11 +61,20 @@ static int latest_try(latest_state *state, double departure, tdsp_status *status
     return *status == TDSP_OK;
 }
 
-/* The latest departure of a reverse search, or a negative number. */
-static tdsp_status latest_reverse(tdsp_solver *solver, const engine_question *question, double *departure)
+/* The same for a departure that was solved for: rounding may have put it just past what it stands for. */
+static int latest_try_solved(latest_state *state, double departure, tdsp_status *status)
 {
+    if (latest_try(state, departure, status) || *status != TDSP_OK) return *status == TDSP_OK;
+    double earlier = departure - latest_slack(state, STEP_BACK);
+    return earlier > state->best && latest_try(state, earlier, status);
+}
+
+/* The latest departure of a reverse search, or a negative number. */
+static tdsp_status latest_reverse(latest_state *state, const engine_question *question, double *departure)
+{
+    tdsp_solver *solver = state->solver;
     ++solver->work.reverse_searches;
-    tdsp_status status = engine_run(&solver->engine, question);
+    tdsp_status status = engine_run(&solver->engine, state->set, question);
     *departure = -1.0;
     if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);
     return status;
@@ -79,9 +93,9 @@ static tdsp_status latest_from_destination(latest_state *state)
     const tdsp_scene *scene = state->solver->scene;
     engine_question question = reverse_question(scene, state->arrival / scene->time, 0.0);
     double departure;
-    tdsp_status status = latest_reverse(state->solver, &question, &departure);
+    tdsp_status status = latest_reverse(state, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
-    latest_try(state, fmin(departure * scene->time, scene->source_cover.time), &status);
+    latest_try_solved(state, fmin(departure * scene->time, scene->source_cover.time), &status);
     return status;
 }
 
@@ -93,7 +107,7 @@ static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
     question.seeds = seeds;
     question.seed_count = 2;
     event->solved = 1;
-    return latest_reverse(state->solver, &question, &event->departure);
+    return latest_reverse(state, &question, &event->departure);
 }
 
 /* The event with the latest departure, or NULL when none beats the best. */
@@ -107,25 +121,34 @@ static gap_event *latest_next_gap(const latest_state *state)
     return next;
 }
 
-/* Candidates at or after a departure that arrives too late need no look. A little before the event the same path is surely open. */
+/* Can a robot at the corner at that moment still arrive by a? Only then is a look at the whole forward search worth it. */
+static tdsp_status latest_gap_leads_on(latest_state *state, const gap_event *event, int *leads)
+{
+    const engine_seed seeds[2] = {{event->first, event->side, event->normal[0]}, {event->second, -event->side, event->normal[1]}};
+    const tdsp_scene *scene = state->solver->scene;
+    double until = (state->arrival + latest_slack(state, SAME_TIME)) / scene->time;
+    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, event->time, -INFINITY,
+                                fmin(until, scene->destination_cover.time / scene->time), until, 0, seeds, 2};
+    tdsp_status status = engine_run(&state->solver->engine, state->set, &question);
+    *leads = status == TDSP_OK && state->solver->engine.arrived != ENGINE_NONE;
+    return status;
+}
+
+/* Candidates at or after a departure that arrives too late need no look. */
 static tdsp_status latest_try_gap(latest_state *state, const gap_event *event)
 {
-    tdsp_status status = TDSP_OK;
-    double departure = event->departure * state->solver->scene->time;
+    int leads = 0;
+    double departure = event->departure * state->solver->scene->time - latest_slack(state, STEP_BACK);
     if (departure >= state->too_late) return TDSP_OK;
-    if (latest_try(state, departure, &status) || status != TDSP_OK) {
-        state->gap = event;
-        return status;
-    }
-    double earlier = departure - latest_slack(state, SAME_TIME);
-    if (earlier > state->best && latest_try(state, earlier, &status)) state->gap = event;
+    tdsp_status status = latest_gap_leads_on(state, event, &leads);
+    if (leads && latest_try(state, departure, &status)) state->gap = event;
     return status;
 }
 
 static tdsp_status latest_from_gaps(latest_state *state)
 {
     const tdsp_scene *scene = state->solver->scene;
-    tdsp_status status = gap_collect(state->solver, state->best / scene->time, state->arrival / scene->time);
+    tdsp_status status = gap_collect(state->solver, state->set, state->best / scene->time, state->arrival / scene->time);
     while (status == TDSP_OK && !state->gap) {
         gap_event *event = latest_next_gap(state);
         if (!event) return TDSP_OK;
@@ -178,41 +201,58 @@ static tdsp_status latest_search(latest_state *state)
     return status == TDSP_OK ? latest_prove(state) : status;
 }
 
-/* Why is there no departure at all that arrives by a? */
-static tdsp_status latest_refuse(tdsp_solver *solver, double arrival)
+/* The question among the discs of a set; the engine is left with the path of the best departure. */
+static tdsp_status ask_latest(void *ctx, const disc_set *set)
 {
-    double found;
-    tdsp_status status = solver_forward(solver, 0.0, &found);
-    return status == TDSP_OK && found > arrival ? TDSP_ARRIVAL_TOO_EARLY : status;
+    latest_state *state = ctx;
+    tdsp_solver *solver = state->solver;
+    double arrives;
+    state->set = set;
+    solver->work = state->before;
+    state->best = state->arrives = -1.0;
+    state->too_late = INFINITY;
+    state->gap = NULL;
+    tdsp_status status = latest_search(state);
+    solver->engine.arrived = ENGINE_NONE;
+    if (status != TDSP_OK || state->best < 0.0) return status;
+    --solver->work.forward_searches; /* this one only looks again at what is known */
+    status = solver_forward(solver, set, state->best, &arrives);
+    return tdsp_status_is_answer(status) ? TDSP_OK : status;
+}
+
+/* Nothing moves, or nothing has to: the robot may leave whenever it likes. */
+static tdsp_status latest_for_ever(latest_state *state)
+{
+    tdsp_solver *solver = state->solver;
+    double arrival;
+    tdsp_status status = tdsp_earliest_arrival(solver, 0.0, &arrival);
+    if (status == TDSP_OK) state->best = state->arrives = INFINITY;
+    return tdsp_status_is_answer(status) ? TDSP_OK : status;
 }
 
 /* The state after the search; best < 0 when there is no departure. */
 static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state *state)
 {
     const tdsp_scene *scene = solver->scene;
-    double last = scene->destination_cover.time;
     double straight = point_distance(scene->source, scene->destination) * scene->time;
-    state->solver = solver;
-    state->arrival = fmin(arrival, last);
-    state->best = -1.0;
-    state->arrives = -1.0;
-    state->too_late = INFINITY;
-    state->gap = NULL;
+    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, scene->destination_cover.time), -1.0, -1.0, INFINITY, NULL};
+    *state = start;
     solver->has_path = 0;
-    if (isinf(state->arrival)) { /* nothing moves: A(t) = t + T(0) for ever */
-        state->arrival = scene->time;
-        tdsp_status status = solver_forward(solver, 0.0, &state->arrives);
-        if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_OK : status;
-        state->best = state->arrives = INFINITY;
-        return route_keep(solver, 0.0, state->arrives);
-    }
+    if (isinf(state->arrival)) return latest_for_ever(state);
     if (scene_covered(scene->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
-    if (straight == 0.0) {
-        state->best = state->arrives = fmin(state->arrival, scene->source_cover.time);
-        solver->engine.arrived = ENGINE_NONE;
-        return route_keep(solver, state->best, state->best);
-    }
-    return latest_search(state);
+    if (straight > 0.0) return relax_run(&solver->relaxation, &solver->engine, ask_latest, state);
+    state->best = state->arrives = fmin(state->arrival, scene->source_cover.time);
+    solver->engine.arrived = ENGINE_NONE;
+    return route_keep(solver, state->best, state->best);
+}
+
+/* Why is there no departure at all that arrives by a? */
+static tdsp_status latest_refuse(tdsp_solver *solver, double arrival)
+{
+    double found;
+    tdsp_status status = tdsp_earliest_arrival(solver, 0.0, &found);
+    solver->has_path = 0;
+    return status == TDSP_OK && found > arrival ? TDSP_ARRIVAL_TOO_EARLY : status;
 }
 
 tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives)
@@ -238,6 +278,11 @@ static void last_say(tdsp_last_departure *out, tdsp_status reason, uint32_t disc
     out->place = place;
 }
 
+static uint32_t latest_given(const latest_state *state, uint32_t disc)
+{
+    return relax_given(&state->solver->relaxation, state->set, disc);
+}
+
 /* What stops the departures after state->best. */
 static void last_explain(const latest_state *state, tdsp_last_departure *out)
 {
@@ -248,8 +293,8 @@ static void last_explain(const latest_state *state, tdsp_last_departure *out)
     } else if (state->arrives >= scene->destination_cover.time - slack) {
         last_say(out, TDSP_DESTINATION_COVERED, scene->destination_cover.disc, scene->destination_cover.time, scene->journey.destination);
     } else if (state->gap) {
-        last_say(out, TDSP_CUT_OFF, scene->given[state->gap->first], state->gap->time * scene->time, scene_place(scene, state->gap->place));
-        out->other = scene->given[state->gap->second];
+        last_say(out, TDSP_CUT_OFF, latest_given(state, state->gap->first), state->gap->time * scene->time, scene_place(scene, state->gap->place));
+        out->other = latest_given(state, state->gap->second);
     } else {
         last_say(out, TDSP_CUT_OFF, TDSP_NO_DISC, state->arrives, scene->journey.destination);
     }

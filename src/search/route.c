@@ -36,7 +36,7 @@ static tdsp_leg arc_of(const tdsp_solver *solver, const engine_ride *ride, doubl
 {
     const disc_engine *engine = &solver->engine;
     const geom_disc *disc = engine_disc(engine, ride->disc);
-    tdsp_leg arc = {TDSP_LEG_ARC, solver->scene->given[ride->disc], ride->side, 0, ride->start, end, {0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0};
+    tdsp_leg arc = {TDSP_LEG_ARC, relax_given(&solver->relaxation, engine->set, ride->disc), ride->side, 0, ride->start, end, {0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0};
     arc.sweep = spiral_angle(disc, ride->start, end);
     arc.angle_from = ride->normal;
     arc.radius_from = disc_radius(disc, ride->start);

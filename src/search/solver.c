@@ -13,8 +13,9 @@ tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
     memset(solver, 0, sizeof *solver);
     solver->scene = scene;
     tdsp_status status = engine_create(&solver->engine, scene);
+    if (status == TDSP_OK) status = relax_create(&solver->relaxation, scene);
     if (status != TDSP_OK) {
-        memory_free(&scene->allocator, solver, sizeof *solver);
+        tdsp_solver_free(solver);
         return status;
     }
     *out = solver;
@@ -26,6 +27,7 @@ void tdsp_solver_free(tdsp_solver *solver)
     if (!solver) return;
     const tdsp_allocator *memory = &solver->scene->allocator;
     engine_free(&solver->engine);
+    relax_free(&solver->relaxation);
     memory_free(memory, solver->path, solver->path_capacity * sizeof *solver->path);
     memory_free(memory, solver->gaps, solver->gap_capacity * sizeof *solver->gaps);
     memory_free(memory, solver, sizeof *solver);
@@ -34,17 +36,15 @@ void tdsp_solver_free(tdsp_solver *solver)
 /* A search for the reason ends this many crossings of the scene after the departure: every disc is one large wall by then. */
 #define EXPLAIN_TIME 1e3
 
-/* Which of the two reasons holds when a robot that started free found no way? */
-static tdsp_status solver_explain(tdsp_solver *solver, engine_question question, tdsp_status *reason)
+static engine_question forward_question(const tdsp_scene *scene, double departure)
 {
-    question.explain = 1;
-    question.limit = EXPLAIN_TIME * (1.0 + fabs(question.time) + solver->scene->extent);
-    tdsp_status status = engine_run(&solver->engine, &question);
-    if (status == TDSP_OK) *reason = solver->engine.way_open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
-    return status;
+    double until = scene->destination_cover.time / scene->time;
+    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
+                                until, 0, NULL, 0};
+    return question;
 }
 
-tdsp_status solver_forward(tdsp_solver *solver, double departure, double *arrival)
+tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double *arrival)
 {
     const tdsp_scene *scene = solver->scene;
     solver->engine.arrived = ENGINE_NONE;
@@ -53,29 +53,57 @@ tdsp_status solver_forward(tdsp_solver *solver, double departure, double *arriva
         *arrival = departure;
         return TDSP_OK;
     }
-    double until = scene->destination_cover.time / scene->time;
-    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
-                                until, 0, NULL, 0};
+    engine_question question = forward_question(scene, departure);
     ++solver->work.forward_searches;
-    tdsp_status status = engine_run(&solver->engine, &question), reason = TDSP_CUT_OFF;
+    tdsp_status status = engine_run(&solver->engine, set, &question);
     if (status != TDSP_OK) return status;
-    if (solver->engine.arrived == ENGINE_NONE) {
-        status = solver_explain(solver, question, &reason);
-        return status == TDSP_OK ? reason : status;
-    }
+    if (solver->engine.arrived == ENGINE_NONE) return TDSP_CUT_OFF;
     *arrival = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
     return TDSP_OK;
+}
+
+/* A question for A(t). */
+typedef struct arrival_question {
+    tdsp_solver *solver;
+    tdsp_solver_work before; /* the counters when it came in */
+    double departure;
+    double arrival;
+    tdsp_status answer;
+} arrival_question;
+
+static tdsp_status ask_arrival(void *ctx, const disc_set *set)
+{
+    arrival_question *question = ctx;
+    question->solver->work = question->before;
+    question->answer = solver_forward(question->solver, set, question->departure, &question->arrival);
+    return tdsp_status_is_answer(question->answer) ? TDSP_OK : question->answer;
+}
+
+/* Which of two reasons holds when a robot that started free found no way? */
+static tdsp_status ask_reason(void *ctx, const disc_set *set)
+{
+    arrival_question *question = ctx;
+    tdsp_solver *solver = question->solver;
+    engine_question why = forward_question(solver->scene, question->departure);
+    why.explain = 1;
+    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + solver->scene->extent);
+    tdsp_status status = engine_run(&solver->engine, set, &why);
+    question->answer = solver->engine.arrived == ENGINE_NONE ? TDSP_CUT_OFF : TDSP_DESTINATION_COVERED;
+    return status;
 }
 
 tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
     if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
-    double found = INFINITY;
+    arrival_question question = {solver, solver->work, departure, INFINITY, TDSP_OK};
     solver->has_path = 0;
-    tdsp_status status = solver_forward(solver, departure, &found);
-    if (status == TDSP_OK) status = route_keep(solver, departure, found);
-    if (tdsp_status_is_answer(status)) *arrival = status == TDSP_OK ? found : INFINITY;
-    return status;
+    tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_arrival, &question);
+    if (status == TDSP_OK && question.answer == TDSP_OK) status = route_keep(solver, departure, question.arrival);
+    if (status == TDSP_OK && question.answer == TDSP_CUT_OFF)
+        status = relax_run(&solver->relaxation, &solver->engine, ask_reason, &question);
+    if (status != TDSP_OK) return status;
+    *arrival = question.answer == TDSP_OK ? question.arrival : INFINITY;
+    return question.answer;
 }
 
 tdsp_status tdsp_solver_path(const tdsp_solver *solver, tdsp_leg *legs, size_t capacity, size_t *count)
@@ -94,7 +122,8 @@ tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *o
     *out = solver->work;
     out->labels = solver->engine.open->taken;
     out->legs_tested = solver->engine.legs_tested;
-    out->bytes = sizeof *solver + engine_bytes(&solver->engine) + solver->path_capacity * sizeof *solver->path +
+    out->rounds = solver->relaxation.rounds;
+    out->bytes = sizeof *solver + engine_bytes(&solver->engine) + relax_bytes(&solver->relaxation) + solver->path_capacity * sizeof *solver->path +
                  solver->gap_capacity * sizeof *solver->gaps;
     return TDSP_OK;
 }

@@ -2,12 +2,13 @@
 #ifndef SEARCH_SOLVER_H
 #define SEARCH_SOLVER_H
 
-#include "search/engine.h"
+#include "search/relax.h"
 #include "tdsp/solver.h"
 
 struct tdsp_solver {
     const tdsp_scene *scene;
     disc_engine engine;
+    relaxation relaxation;
     tdsp_leg *path; /* of the last answer, in the user's units */
     size_t path_count, path_capacity;
     int has_path;
@@ -16,8 +17,11 @@ struct tdsp_solver {
     tdsp_solver_work work;
 };
 
-/* A(t) in the user's units, without keeping the path. As tdsp_earliest_arrival() otherwise. */
-tdsp_status solver_forward(tdsp_solver *solver, double departure, double *arrival);
+/*
+ * A(t) among the discs of a set, the engine keeping the path: TDSP_OK with *arrival, in the user's units; TDSP_SOURCE_COVERED; TDSP_CUT_OFF
+ * for any other reason; or an error.
+ */
+tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double *arrival);
 
 /* Keep the path that the last forward search found for this departure. */
 tdsp_status route_keep(tdsp_solver *solver, double departure, double arrival);

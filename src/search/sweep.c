@@ -31,7 +31,7 @@ static int sweep_radius_free(disc_engine *engine, uint32_t disc, double normal, 
 {
     const geom_disc *self = engine_disc(engine, disc);
     double gain = disc_radius(self, late) - disc_radius(self, early);
-    if (fabs(self->rate) <= engine->scene->rate_min || gain == 0.0) return 1;
+    if (fabs(self->rate) <= engine->set->rate_min || gain == 0.0) return 1;
     tdsp_point outward = point_unit(normal);
     tdsp_point from = point_along(self->center, disc_radius(self, early), outward);
     geom_line line = {from, point_scale(gain > 0.0 ? 1.0 : -1.0, outward), gain > 0.0 ? early : late - fabs(gain), fabs(gain)};

@@ -1,0 +1,75 @@
+/* What near discs hide from a rider: the rule is in skyline.h. */
+#include "search/skyline.h"
+
+/* How much narrower a cover counts than it is, as an angle. */
+#define MARGIN 1e-9
+
+void sky_init(skyline *sky, double from, double to)
+{
+    sky->from = from;
+    sky->to = to;
+    sky->near_count = sky->full_count = 0;
+}
+
+void sky_add(skyline *sky, double from, double to, double reach)
+{
+    /* The chunk's own ends are no edges of a disc: nothing is touched there. */
+    if (from > sky->from) from += MARGIN;
+    if (to < sky->to) to -= MARGIN;
+    if (from >= to || sky->near_count == SKY_COVERS) return;
+    sky_cover *cover = &sky->near[sky->near_count++];
+    cover->from = from;
+    cover->to = to;
+    cover->reach = reach;
+}
+
+/* Merge a cover with all it touches. */
+static void sky_fill(skyline *sky, sky_cover cover)
+{
+    int kept = 0, place = 0;
+    for (int i = 0; i < sky->full_count; ++i) {
+        sky_cover *other = &sky->full[i];
+        if (other->to >= cover.from && other->from <= cover.to) {
+            if (other->from < cover.from) cover.from = other->from;
+            if (other->to > cover.to) cover.to = other->to;
+            continue;
+        }
+        if (other->to < cover.from) place = kept + 1;
+        sky->full[kept++] = *other;
+    }
+    if (kept == SKY_COVERS) return;
+    for (int i = kept; i > place; --i) sky->full[i] = sky->full[i - 1];
+    sky->full[place] = cover;
+    sky->full_count = kept + 1;
+}
+
+int sky_advance(skyline *sky, double bound)
+{
+    int kept = 0;
+    for (int i = 0; i < sky->near_count; ++i) {
+        if (sky->near[i].reach <= bound) {
+            sky_fill(sky, sky->near[i]);
+        } else {
+            sky->near[kept++] = sky->near[i];
+        }
+    }
+    sky->near_count = kept;
+    return !sky_hides_window(sky, sky->from, sky->to);
+}
+
+int sky_hides_window(const skyline *sky, double from, double to)
+{
+    if (from < sky->from) from = sky->from;
+    if (to > sky->to) to = sky->to;
+    for (int i = 0; i < sky->full_count; ++i)
+        if (sky->full[i].from <= from && to <= sky->full[i].to) return 1;
+    return 0;
+}
+
+int sky_hides_leg(const skyline *sky, double heading, double length)
+{
+    if (sky_hides_window(sky, heading, heading)) return 1;
+    for (int i = 0; i < sky->near_count; ++i)
+        if (sky->near[i].from <= heading && heading <= sky->near[i].to && sky->near[i].reach < length) return 1;
+    return 0;
+}

@@ -36,8 +36,7 @@ static tdsp_point table_point(const unsigned char *p)
 
 double table_path_time(const tdsp_table *table, table_path path, uint64_t leg)
 {
-    uint64_t waypoint = leg < path.legs ? leg * table->joint : (leg - 1) * table->joint + 1;
-    return bytes_get_f64(table_waypoint(table, path.first + waypoint) + FORMAT_WAYPOINT_AT_TIME);
+    return bytes_get_f64(table_waypoint(table, path.first + leg * table->joint) + FORMAT_WAYPOINT_AT_TIME);
 }
 
 static void table_add_arc(const tdsp_table *table, uint64_t arc, tdsp_leg *leg)

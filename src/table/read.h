@@ -49,7 +49,7 @@ typedef struct table_path {
 
 table_path table_row_path(const tdsp_table *table, uint64_t row);
 
-/* The time at which leg `leg` of the path starts; leg == path.legs is the end of the last. */
+/* The time at which leg `leg` < path.legs starts. */
 double table_path_time(const tdsp_table *table, table_path path, uint64_t leg);
 
 /* Leg `leg` < path.legs. */

@@ -128,6 +128,19 @@ static void no_valid_arc_gives_a_position_that_is_not_a_number(void **state)
     }
 }
 
+/* From a denormal radius to a large one the ratio of the radii overflows, their logarithms do not. */
+static void radii_whose_ratio_overflows_lose_no_accuracy(void **state)
+{
+    (void)state;
+    double r0 = 1e-320, r1 = 1e10;
+    tdsp_leg leg = arc(0, 1, (tdsp_point){0, 0}, r0, r1, 0, 1, 3);
+    for (double x = 0.125; x < 1; x += 0.125) {
+        double r = r1 * x;
+        double share = (log(r) - log(r0)) / (log(r1) - log(r0));
+        assert_place(tdsp_leg_position(&leg, x), polar(leg.center, r, 3 * share), 1e-14 * r1);
+    }
+}
+
 static void a_leg_without_duration_has_two_places(void **state)
 {
     (void)state;
@@ -223,6 +236,7 @@ int main(void)
         cmocka_unit_test(a_circle_turns_uniformly_in_either_direction),
         cmocka_unit_test(nearly_equal_radii_lose_no_accuracy),
         cmocka_unit_test(no_valid_arc_gives_a_position_that_is_not_a_number),
+        cmocka_unit_test(radii_whose_ratio_overflows_lose_no_accuracy),
         cmocka_unit_test(a_leg_without_duration_has_two_places),
         cmocka_unit_test(a_shifted_leg_is_at_the_same_place_later),
         cmocka_unit_test(positions_along_a_path_are_those_of_its_legs_and_continuous),

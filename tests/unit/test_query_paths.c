@@ -116,6 +116,20 @@ static void positions_are_those_of_the_shifted_path(void **state)
     }
 }
 
+static void at_a_joint_the_robot_is_where_the_second_leg_starts(void **state)
+{
+    (void)state;
+    sample s = sample_golden(2);
+    tdsp_point at;
+    assert_int_equal(tdsp_table_position(&s.table, 0, 1, &at), TDSP_OK);
+    assert_exact(at.x, 1.0000000000000002);
+    assert_int_equal(tdsp_table_position(&s.table, 0, nextafter(1, 0), &at), TDSP_OK);
+    assert_near(at.x, 1, 3e-16);
+    assert_int_equal(tdsp_table_position(&s.table, 0, 2, &at), TDSP_OK);
+    assert_exact(at.x, 2.0);
+    sample_free(&s);
+}
+
 static void in_a_table_monotone_in_arrival_the_robot_waits_at_the_source(void **state)
 {
     (void)state;
@@ -201,6 +215,8 @@ static void neither_the_end_nor_what_the_stated_error_explains_is_a_jump(void **
         unsigned char *bytes = golden_rows(&header, rows, 3, &length);
         assert_int_equal(tdsp_table_open(&table, bytes, length), TDSP_OK);
         assert_int_equal(tdsp_table_next_jump(&table, 0, &jump), cases[i].expected);
+        assert_int_equal(tdsp_table_next_jump(&table, 2, &jump), TDSP_NO_ANSWER);
+        assert_int_equal(tdsp_table_next_jump(&table, nextafter(2, 3), &jump), TDSP_NO_ANSWER);
         free(bytes);
     }
 }
@@ -267,6 +283,7 @@ int main(void)
         cmocka_unit_test(opaque_bytes_come_out_as_they_went_in),
         cmocka_unit_test(between_rows_the_path_starts_at_the_departure_and_arrives_in_time),
         cmocka_unit_test(positions_are_those_of_the_shifted_path),
+        cmocka_unit_test(at_a_joint_the_robot_is_where_the_second_leg_starts),
         cmocka_unit_test(in_a_table_monotone_in_arrival_the_robot_waits_at_the_source),
         cmocka_unit_test(a_buffer_too_small_for_a_path_is_told_the_count_and_left_alone),
         cmocka_unit_test(jumps_are_found_in_both_directions),

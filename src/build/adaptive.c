@@ -16,7 +16,7 @@
 #include "build/invert.h"
 #include "build/trail.h"
 
-#define SLACK 1e-3 /* of the allowed increase */
+#define SLACK 1e-3  /* of the allowed increase */
 #define REVERSALS 4 /* a row: each may find another jump under the cap first */
 
 /* The goal of the row after the one held, which starts at `base` from the bound `lower`. */

@@ -54,7 +54,8 @@ static long double piece_inverse(const toy *t, size_t i, long double cap, int sh
     long double b = p->c1 + (share ? 1 : 0);
     long double a = p->c2;
     long double u = INFINITY;
-    if (a == 0 && b > 0) u = rest / b;
+    if (a == 0 && b > 0)
+        u = rest / b;
     else if (a != 0) {
         /* Increasing over the piece, whichever way it bends: the root with b + 2 a u >= 0. */
         long double d = b * b + 4 * a * rest;
@@ -78,6 +79,14 @@ double toy_inverse(const toy *t, long double cap)
     return inverse(t, cap, 0);
 }
 
+static size_t piece_of(const toy *t, double departure)
+{
+    size_t i = 0;
+    while (i < t->count && departure > t->pieces[i].until)
+        i++;
+    return i;
+}
+
 /* A number in [-1, 1] that only the departure decides. */
 static double wobble(double departure)
 {
@@ -94,8 +103,7 @@ static double wobble(double departure)
 static double computed_arrival(const toy *t, double departure)
 {
     double seen = departure > t->blur ? departure - t->blur : 0;
-    double mistaken = t->blur > 0 && toy_value_after(t, seen) < toy_value(t, departure) ? seen : departure;
-    double value = (double)toy_value(t, mistaken);
+    double value = (double)toy_value(t, piece_of(t, seen) < piece_of(t, departure) ? seen : departure);
     if (isinf(value)) return value;
     double travel = t->by_arrival ? value - departure : value;
     double noise = wobble(departure) * t->error * (travel + t->time_scale);
@@ -105,15 +113,34 @@ static double computed_arrival(const toy *t, double departure)
 static tdsp_status faulty(const toy *t, double departure, double *arrival)
 {
     switch (t->fault) {
-    case TOY_FALLS: *arrival = departure + 0.9 * (*arrival - departure); return TDSP_OK;
-    case TOY_NAN: *arrival = NAN; return TDSP_OK;
-    case TOY_INFINITE: *arrival = INFINITY; return TDSP_OK;
-    case TOY_EARLY: *arrival = departure - 1e-6; return TDSP_OK;
-    case TOY_NEGATIVE: *arrival = -1; return TDSP_OK;
-    case TOY_ODD_ANSWER: return TDSP_ARRIVAL_TOO_EARLY;
-    case TOY_ERROR: return TDSP_FAILED;
-    default: return TDSP_OK;
+    case TOY_FALLS:
+        *arrival = departure + 0.9 * (*arrival - departure);
+        return TDSP_OK;
+    case TOY_NAN:
+        *arrival = NAN;
+        return TDSP_OK;
+    case TOY_INFINITE:
+        *arrival = INFINITY;
+        return TDSP_OK;
+    case TOY_EARLY:
+        *arrival = departure - 1e-6;
+        return TDSP_OK;
+    case TOY_NEGATIVE:
+        *arrival = -1;
+        return TDSP_OK;
+    case TOY_ODD_ANSWER:
+        return TDSP_ARRIVAL_TOO_EARLY;
+    case TOY_ERROR:
+        return TDSP_FAILED;
+    default:
+        return TDSP_OK;
     }
+}
+
+/* Faults of the forward function that do not need a way. */
+static int is_forward(toy_fault fault)
+{
+    return fault >= TOY_NAN && fault <= TOY_ERROR;
 }
 
 static tdsp_status forward(void *ctx, double departure, double *arrival)
@@ -121,12 +148,13 @@ static tdsp_status forward(void *ctx, double departure, double *arrival)
     toy *t = ctx;
     t->forward_calls++;
     t->asked = departure;
-    if (isinf(computed_arrival(t, departure))) return t->reason;
-    *arrival = computed_arrival(t, departure);
     int due = t->fault == TOY_FALLS ? t->forward_calls >= t->fault_at : t->forward_calls == t->fault_at;
+    double computed = computed_arrival(t, departure);
+    int no_way = isinf(computed);
+    *arrival = no_way ? departure + 1 : computed;
     tdsp_status status = due ? faulty(t, departure, arrival) : TDSP_OK;
     t->arrival = *arrival;
-    return status;
+    return no_way && !(due && is_forward(t->fault)) ? t->reason : status;
 }
 
 static tdsp_status reverse(void *ctx, double arrival, double *departure)
@@ -148,7 +176,8 @@ static tdsp_status path(void *ctx, tdsp_oracle_path *out)
     t->paths++;
     if (t->fault == TOY_PATH_ERROR && t->paths == t->fault_at) return TDSP_NO_ANSWER;
     memcpy(t->bytes, &t->asked, sizeof t->bytes);
-    t->leg = (tdsp_leg){.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = t->asked, .end_time = t->arrival, .to = {1, 0}};
+    t->leg =
+        (tdsp_leg){.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = t->asked, .end_time = t->arrival, .to = {1, 0}};
     *out = t->legs ? (tdsp_oracle_path){&t->leg, 1, NULL, 0} : (tdsp_oracle_path){NULL, 0, t->bytes, sizeof t->bytes};
     if (t->fault == TOY_PATH_NULL && t->paths == t->fault_at) *out = (tdsp_oracle_path){NULL, 1, NULL, 0};
     return TDSP_OK;

@@ -18,18 +18,18 @@ typedef struct toy_piece {
 
 typedef enum toy_fault {
     TOY_SOUND,
-    TOY_FALLS,        /* the value falls by a tenth from call fault_at on */
-    TOY_NAN,          /* arrival NaN at call fault_at */
-    TOY_INFINITE,     /* arrival infinite with TDSP_OK */
-    TOY_EARLY,        /* arrival before the departure */
-    TOY_NEGATIVE,     /* arrival -1 */
-    TOY_ODD_ANSWER,   /* an answer that is none to this question */
-    TOY_ERROR,        /* fails with TDSP_FAILED */
-    TOY_REVERSE_NAN,  /* latest_departure says NaN, ... */
-    TOY_REVERSE_ODD,  /* ... TDSP_CUT_OFF where there is a way */
+    TOY_FALLS,       /* the value falls by a tenth from call fault_at on */
+    TOY_NAN,         /* arrival NaN at call fault_at */
+    TOY_INFINITE,    /* arrival infinite with TDSP_OK */
+    TOY_EARLY,       /* arrival before the departure */
+    TOY_NEGATIVE,    /* arrival -1 */
+    TOY_ODD_ANSWER,  /* an answer that is none to this question */
+    TOY_ERROR,       /* fails with TDSP_FAILED */
+    TOY_REVERSE_NAN, /* latest_departure says NaN, ... */
+    TOY_REVERSE_ODD, /* ... TDSP_CUT_OFF where there is a way */
     TOY_REVERSE_ERROR,
     TOY_PATH_ERROR,
-    TOY_PATH_NULL     /* path of one leg at NULL */
+    TOY_PATH_NULL /* path of one leg at NULL */
 } toy_fault;
 
 typedef struct toy {
@@ -40,7 +40,7 @@ typedef struct toy {
     tdsp_status reason; /* after the last departure */
     double error;       /* stated; the noise stays within it */
     double time_scale;
-    double blur;        /* the forward function jumps this much later than latest_departure says */
+    double blur; /* the forward function jumps this much later than latest_departure says */
     toy_fault fault;
     uint64_t fault_at; /* forward or reverse call, from 1 */
     uint64_t forward_calls;
@@ -59,7 +59,7 @@ toy toy_over(const toy_piece *pieces, size_t count, int by_arrival);
 tdsp_oracle toy_oracle(toy *t, int forward_only);
 
 /* The truth. */
-long double toy_value(const toy *t, double departure);   /* infinite after the last departure */
+long double toy_value(const toy *t, double departure); /* infinite after the last departure */
 long double toy_arrival(const toy *t, double departure);
 long double toy_value_after(const toy *t, double departure); /* the right limit */
 double toy_last(const toy *t);

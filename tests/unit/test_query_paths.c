@@ -228,10 +228,8 @@ static void arguments_that_are_missing_or_out_of_range_are_refused_and_nothing_i
     (void)state;
     sample s = sample_golden(0);
     const tdsp_table *table = &s.table;
-    const tdsp_table closed = {0};
     double x = 7, bad[] = {NAN, -1, -INFINITY};
     tdsp_row row = {7, 7, 7, 7};
-    tdsp_table_info info;
     tdsp_leg leg;
     tdsp_point at;
     tdsp_jump jump;
@@ -265,14 +263,60 @@ static void arguments_that_are_missing_or_out_of_range_are_refused_and_nothing_i
     assert_int_equal(tdsp_table_position(table, 0, 0, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_table_next_jump(table, 0, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_table_arrivals(table, NULL, 1, &x, &x, NULL), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_departures(NULL, &x, 1, &x, &x, NULL), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_get_info(&closed, &info), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_arrival(&closed, 0, &x, &x), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_departure(&closed, 0, &x, &x), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_row(&closed, 0, &row), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(tdsp_table_next_jump(&closed, 0, &jump), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_departures(table, NULL, 1, &x, &x, NULL), TDSP_INVALID_ARGUMENT);
     assert_exact(x, 7.0);
     assert_exact(row.departure, 7.0);
+    sample_free(&s);
+}
+
+static void assert_refused_without_a_table(const tdsp_table *table)
+{
+    double x = 0;
+    tdsp_row row;
+    tdsp_table_info info;
+    tdsp_leg leg;
+    tdsp_point at;
+    tdsp_jump jump;
+    const void *bytes;
+    size_t size;
+    uint64_t found;
+    assert_int_equal(tdsp_table_get_info(table, &info), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_row(table, 0, &row), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_find(table, 0, &found), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_arrival(table, 0, &x, &x), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_departure(table, 0, &x, &x), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_arrivals(table, &x, 1, &x, &x, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_departures(table, &x, 1, &x, &x, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_leg(table, 0, 0, &leg), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_row_leg(table, 0, 0, &leg), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_row_bytes(table, 0, &bytes, &size), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_path(table, 0, &leg, 1, &size), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_position(table, 0, 0, &at), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_next_jump(table, 0, &jump), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_table_previous_jump(table, 0, &jump), TDSP_INVALID_ARGUMENT);
+}
+
+static void no_question_is_answered_without_an_opened_table(void **state)
+{
+    (void)state;
+    const tdsp_table never_opened = {0};
+    assert_refused_without_a_table(NULL);
+    assert_refused_without_a_table(&never_opened);
+}
+
+static void either_result_may_be_left_out(void **state)
+{
+    (void)state;
+    sample s = sample_golden(0);
+    double x = 7;
+    assert_int_equal(tdsp_table_arrival(&s.table, 2, &x, NULL), TDSP_OK);
+    assert_exact(x, 22.0);
+    assert_int_equal(tdsp_table_arrival(&s.table, 2, NULL, &x), TDSP_OK);
+    assert_exact(x, 22.5);
+    assert_int_equal(tdsp_table_departure(&s.table, 22, &x, NULL), TDSP_OK);
+    assert_exact(x, 1.5);
+    assert_int_equal(tdsp_table_departure(&s.table, 22, NULL, &x), TDSP_OK);
+    assert_exact(x, 2.0);
     sample_free(&s);
 }
 
@@ -288,6 +332,8 @@ int main(void)
         cmocka_unit_test(a_buffer_too_small_for_a_path_is_told_the_count_and_left_alone),
         cmocka_unit_test(jumps_are_found_in_both_directions),
         cmocka_unit_test(neither_the_end_nor_what_the_stated_error_explains_is_a_jump),
+        cmocka_unit_test(no_question_is_answered_without_an_opened_table),
+        cmocka_unit_test(either_result_may_be_left_out),
         cmocka_unit_test(arguments_that_are_missing_or_out_of_range_are_refused_and_nothing_is_written),
     };
     return cmocka_run_group_tests_name("query paths", tests, NULL, NULL);

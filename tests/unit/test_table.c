@@ -174,7 +174,7 @@ static void each_fault_of_the_frame_has_a_status_of_its_own(void **state)
 /* A number of the header, overwritten. */
 typedef struct header_fault {
     size_t at;
-    char type; /* 'i' u32, 'q' u64, 'd' f64 */
+    char type; /* 'i' u32, 'q' u64, 'm' the largest u64 less the value, 'd' f64 */
     double value;
 } header_fault;
 
@@ -182,6 +182,7 @@ static void put_fault(unsigned char *bytes, header_fault fault)
 {
     if (fault.type == 'i') bytes_put_u32(bytes + fault.at, (uint32_t)fault.value);
     if (fault.type == 'q') bytes_put_u64(bytes + fault.at, (uint64_t)fault.value);
+    if (fault.type == 'm') bytes_put_u64(bytes + fault.at, UINT64_MAX - (uint64_t)fault.value);
     if (fault.type == 'd') bytes_put_f64(bytes + fault.at, fault.value);
 }
 
@@ -207,7 +208,9 @@ static void each_value_of_the_header_out_of_its_range_is_refused(void **state)
         {FORMAT_AT_OPAQUE_LENGTH, 'q', 1},   {FORMAT_AT_OPAQUE_LENGTH, 'q', 18446744073709549568.0}, {FORMAT_AT_OFFSETS, 'q', 304},
         {FORMAT_AT_OFFSETS, 'q', 0},         {FORMAT_AT_OFFSETS + 56, 'q', 8},    {FORMAT_AT_OFFSETS + 32, 'q', 18446744073709549568.0},
         {FORMAT_AT_JOINT, 'i', 0},           {FORMAT_AT_JOINT, 'i', 2},           {FORMAT_AT_JOINT, 'i', 3},
-        {FORMAT_AT_RESERVED, 'i', 1},
+        {FORMAT_AT_RESERVED, 'i', 1},        {FORMAT_AT_ROWS, 'm', 0},            {FORMAT_AT_ROWS, 'm', 1},
+        {FORMAT_AT_WAYPOINTS, 'm', 0},       {FORMAT_AT_ARCS, 'm', 0},            {FORMAT_AT_OPAQUE_LENGTH, 'm', 0},
+        {FORMAT_AT_OPAQUE_LENGTH, 'm', 900}, {FORMAT_AT_OPAQUE_LENGTH, 'm', 983}, {FORMAT_AT_OFFSETS + 56, 'm', 7},
     };
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
         size_t length;
@@ -267,6 +270,28 @@ static void each_number_of_the_body_out_of_order_or_range_is_refused(void **stat
         size_t section = (size_t)bytes_get_u64(bytes + FORMAT_AT_OFFSETS + 8 * (size_t)faults[i].section);
         tdsp_table table;
         put_fault(bytes, (header_fault){section + faults[i].at, faults[i].type, faults[i].value});
+        golden_seal(bytes, length);
+        if (tdsp_table_open(&table, bytes, length) != TDSP_BAD_TABLE) fail_msg("fault %zu was not refused", i);
+        free(bytes);
+    }
+}
+
+/* The road table arrives at 5, 6, 9, 9 (left) and 5, 9, 9, 9.5 (right). */
+static void arrivals_out_of_order_are_refused_in_a_table_monotone_in_arrival(void **state)
+{
+    (void)state;
+    const struct {
+        int section;
+        size_t row;
+        double value;
+    } faults[] = {{FORMAT_LEFT, 1, 7.5}, {FORMAT_LEFT, 2, 3.5}, {FORMAT_LEFT, 3, 2.9}, {FORMAT_RIGHT, 0, 6.5},
+                  {FORMAT_RIGHT, 1, 7.5}, {FORMAT_RIGHT, 2, 4.25}, {FORMAT_RIGHT, 3, 2.5}, {FORMAT_RIGHT, 2, INFINITY}};
+    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+        size_t length;
+        unsigned char *bytes = golden_bytes(1, &length);
+        tdsp_table table;
+        size_t section = (size_t)bytes_get_u64(bytes + FORMAT_AT_OFFSETS + 8 * (size_t)faults[i].section);
+        bytes_put_f64(bytes + section + 8 * faults[i].row, faults[i].value);
         golden_seal(bytes, length);
         if (tdsp_table_open(&table, bytes, length) != TDSP_BAD_TABLE) fail_msg("fault %zu was not refused", i);
         free(bytes);
@@ -384,6 +409,7 @@ int main(void)
         cmocka_unit_test(each_value_of_the_header_out_of_its_range_is_refused),
         cmocka_unit_test(a_unit_without_an_end_or_with_bytes_behind_it_or_not_utf8_is_refused),
         cmocka_unit_test(each_number_of_the_body_out_of_order_or_range_is_refused),
+        cmocka_unit_test(arrivals_out_of_order_are_refused_in_a_table_monotone_in_arrival),
         cmocka_unit_test(opaque_offsets_out_of_order_are_refused),
         cmocka_unit_test(at_a_joint_of_two_waypoints_the_times_must_agree),
         cmocka_unit_test(a_newer_minor_version_with_a_longer_header_and_more_sections_is_read),

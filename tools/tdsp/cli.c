@@ -73,8 +73,8 @@ static char *usage_hint(const CliCommand *command)
     return g_strdup_printf("(usage: tdsp %s %s; more: tdsp %s --help)", command->name, command->arguments, command->name);
 }
 
-gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc, char ***argv,
-                        GError **error)
+gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc,
+                        char ***argv, GError **error)
 {
     const GOptionEntry shared[] = {
         {"json", 0, 0, G_OPTION_ARG_NONE, json, "Print JSON", NULL},
@@ -111,7 +111,8 @@ static void drop_separator(int *argc, char **argv)
     }
 }
 
-gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv, GError **error)
+gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv,
+                   GError **error)
 {
     if (!cli_parse_data(command, entries, NULL, json, argc, argv, error)) return FALSE;
     drop_separator(argc, *argv);

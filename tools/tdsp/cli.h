@@ -38,11 +38,12 @@ typedef struct CliCommand {
  * Parse options; what is left are the positional arguments, argv[1] on. Prints help and exits where asked to.
  * Every command has --json: `json` receives it.
  */
-gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv, GError **error);
+gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv,
+                   GError **error);
 
 /* The same for entries with callbacks, which receive `data`. An error of a callback that is one of ours is handed on as it is. */
-gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc, char ***argv,
-                        GError **error);
+gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc,
+                        char ***argv, GError **error);
 
 /* A usage error unless there are `least` to `most` positional arguments (most < 0: any number). */
 gboolean cli_positional(const CliCommand *command, int argc, int least, int most, GError **error);

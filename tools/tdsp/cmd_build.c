@@ -25,8 +25,10 @@ typedef struct Wanted {
 
 static void wanted_clear(Wanted *wanted)
 {
-    char *texts[] = {wanted->guarantee, wanted->sampling, wanted->epsilon, wanted->delta, wanted->horizon, wanted->threads, wanted->output};
-    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++) g_free(texts[i]);
+    char *texts[] = {wanted->guarantee, wanted->sampling, wanted->epsilon, wanted->delta,
+                     wanted->horizon,   wanted->threads,  wanted->output};
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
+        g_free(texts[i]);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Wanted, wanted_clear)
 
@@ -54,7 +56,8 @@ static gboolean parse_bound(Wanted *wanted, GError **error)
 {
     tdsp_build_options *options = &wanted->options;
     gboolean absolute = options->guarantee == TDSP_GUARANTEE_ABSOLUTE;
-    if (absolute && wanted->epsilon) return cli_fail(error, CLI_USAGE, "--epsilon bounds a ratio; --guarantee absolute takes --delta");
+    if (absolute && wanted->epsilon)
+        return cli_fail(error, CLI_USAGE, "--epsilon bounds a ratio; --guarantee absolute takes --delta");
     if (!absolute && wanted->delta) return cli_fail(error, CLI_USAGE, "--delta goes with --guarantee absolute only");
     if (absolute && !wanted->delta) return cli_fail(error, CLI_USAGE, "--guarantee absolute needs --delta D");
     if (wanted->delta) {
@@ -101,7 +104,7 @@ static gboolean describe_world(const char *path, const SceneFile *scene, tdsp_bu
     if (strlen(scene->length_unit) > UNIT_BYTES || strlen(scene->time_unit) > UNIT_BYTES)
         return cli_fail(error, CLI_INPUT, "%s: units.%s: longer than the %d bytes a table holds", cli_file_name(path),
                         strlen(scene->length_unit) > UNIT_BYTES ? "length" : "time", UNIT_BYTES);
-    *world = (tdsp_build_world){tdsp_scene_hash(scene->scene), journey->speed,      journey->source,
+    *world = (tdsp_build_world){tdsp_scene_hash(scene->scene), journey->speed,     journey->source,
                                 journey->destination,          scene->length_unit, scene->time_unit};
     return TRUE;
 }
@@ -122,7 +125,8 @@ static gboolean fail_build(const Wanted *wanted, tdsp_status status, GError **er
                         isinf(wanted->options.horizon) ? "" : ", or a nearer --horizon");
     case TDSP_NOT_SUPPORTED:
         return cli_fail(error, CLI_USAGE, "--sampling geometric needs a journey that takes time: source and destination are one");
-    default: return cli_fail_status(error, "build", status);
+    default:
+        return cli_fail_status(error, "build", status);
     }
 }
 
@@ -175,14 +179,15 @@ static gboolean print_text(const Wanted *wanted, const Built *built, GError **er
     char bound[NUMBER_ROOM], last[NUMBER_ROOM], seconds[NUMBER_ROOM];
     g_autoptr(GString) text = g_string_new(NULL);
     if (built->status != TDSP_OK) return TRUE;
-    g_string_printf(text, "%s: %" G_GUINT64_FORMAT " rows, %" G_GUINT64_FORMAT " bytes\n", wanted->output, report->rows, report->bytes);
+    g_string_printf(text, "%s: %" G_GUINT64_FORMAT " rows, %" G_GUINT64_FORMAT " bytes\n", wanted->output, report->rows,
+                    report->bytes);
     g_string_append_printf(text, "guarantee      %s, %s %s, %s sampling\n", words_guarantee(options->guarantee),
                            absolute ? "delta" : "epsilon", number_format(bound, absolute ? options->delta : options->epsilon),
                            words_sampling(options->sampling));
     g_string_append_printf(text, "last departure %s, then %s\n", number_format(last, report->last_departure),
                            tdsp_status_name(report->last_reason));
-    g_string_append_printf(text, "oracle calls   %" G_GUINT64_FORMAT " forward, %" G_GUINT64_FORMAT " reverse\n", report->forward_calls,
-                           report->reverse_calls);
+    g_string_append_printf(text, "oracle calls   %" G_GUINT64_FORMAT " forward, %" G_GUINT64_FORMAT " reverse\n",
+                           report->forward_calls, report->reverse_calls);
     g_string_append_printf(text, "seconds        %s\n", number_brief(seconds, built->seconds, 4));
     return cli_print(text, error);
 }
@@ -211,11 +216,15 @@ int cmd_build(const CliCommand *command, int argc, char **argv, GError **error)
     const GOptionEntry entries[] = {
         {"output", 'o', 0, G_OPTION_ARG_FILENAME, &wanted.output, "Write the table to TABLE", "TABLE"},
         {"guarantee", 0, 0, G_OPTION_ARG_STRING, &wanted.guarantee, "travel (default), arrival or absolute", "GUARANTEE"},
-        {"epsilon", 0, 0, G_OPTION_ARG_STRING, &wanted.epsilon, "Travel and arrival: bound of the ratio, 1e-9 to 1 (default 0.01)", "E"},
-        {"delta", 0, 0, G_OPTION_ARG_STRING, &wanted.delta, "Absolute: bound of the difference, in the scene's unit of time", "D"},
-        {"sampling", 0, 0, G_OPTION_ARG_STRING, &wanted.sampling, "adaptive (default), or geometric (guarantee arrival)", "SAMPLING"},
+        {"epsilon", 0, 0, G_OPTION_ARG_STRING, &wanted.epsilon,
+         "Travel and arrival: bound of the ratio, 1e-9 to 1 (default 0.01)", "E"},
+        {"delta", 0, 0, G_OPTION_ARG_STRING, &wanted.delta, "Absolute: bound of the difference, in the scene's unit of time",
+         "D"},
+        {"sampling", 0, 0, G_OPTION_ARG_STRING, &wanted.sampling, "adaptive (default), or geometric (guarantee arrival)",
+         "SAMPLING"},
         {"horizon", 0, 0, G_OPTION_ARG_STRING, &wanted.horizon, "Latest departure; needed where no disc ever ends them", "H"},
-        {"threads", 0, 0, G_OPTION_ARG_STRING, &wanted.threads, "Threads (default: one a processor); never changes the table", "N"},
+        {"threads", 0, 0, G_OPTION_ARG_STRING, &wanted.threads, "Threads (default: one a processor); never changes the table",
+         "N"},
         G_OPTION_ENTRY_NULL,
     };
     if (!cli_parse(command, entries, &wanted.json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error) ||

@@ -10,11 +10,12 @@
 
 /* Words that no C or C++ compiler takes for a name. */
 static const char *const keywords[] = {
-    "auto",   "bool",   "break",  "case",   "catch",  "char",   "class",    "const",    "continue", "default", "delete",  "do",    "double",
-    "else",   "enum",   "export", "extern", "false",  "float",  "for",      "friend",   "goto",     "if",      "inline",  "int",   "long",
-    "main",   "mutable", "namespace", "new", "nullptr", "operator", "private", "protected", "public", "register", "restrict", "return",
-    "short",  "signed", "sizeof", "static", "struct", "switch", "template", "this",     "throw",    "true",    "try",     "typedef", "typename",
-    "union",  "unsigned", "using", "virtual", "void", "volatile", "while",  NULL};
+    "auto",     "bool",     "break",    "case",      "catch",    "char",     "class",    "const",   "continue",  "default",
+    "delete",   "do",       "double",   "else",      "enum",     "export",   "extern",   "false",   "float",     "for",
+    "friend",   "goto",     "if",       "inline",    "int",      "long",     "main",     "mutable", "namespace", "new",
+    "nullptr",  "operator", "private",  "protected", "public",   "register", "restrict", "return",  "short",     "signed",
+    "sizeof",   "static",   "struct",   "switch",    "template", "this",     "throw",    "true",    "try",       "typedef",
+    "typename", "union",    "unsigned", "using",     "virtual",  "void",     "volatile", "while",   NULL};
 
 static gboolean is_identifier(const char *name)
 {
@@ -53,7 +54,8 @@ static GString *source_of(const FileIn *file, const char *name)
     g_string_append_printf(text, " *     tdsp_table_open(&table, %s, %s_length);\n */\n#include <stddef.h>\n\n", name, name);
     g_string_append_printf(text, "extern const size_t %s_length;\nextern const unsigned char %s[];\n\n", name, name);
     g_string_append_printf(text, "const size_t %s_length = %" G_GSIZE_FORMAT ";\n\n", name, file->length);
-    g_string_append(text, "#if defined(__GNUC__) || defined(__ICCARM__)\n__attribute__((aligned(8)))\n#elif defined(_MSC_VER)\n__declspec(align(8))\n#endif\n");
+    g_string_append(text, "#if defined(__GNUC__) || defined(__ICCARM__)\n__attribute__((aligned(8)))\n#elif "
+                          "defined(_MSC_VER)\n__declspec(align(8))\n#endif\n");
     g_string_append_printf(text, "const unsigned char %s[%" G_GSIZE_FORMAT "] = {", name, file->length);
     append_bytes(text, file);
     g_string_append(text, "\n};\n");
@@ -91,7 +93,8 @@ int cmd_embed(const CliCommand *command, int argc, char **argv, GError **error)
         {"name", 0, 0, G_OPTION_ARG_STRING, &name, "Name of the array (default: of the file's name)", "NAME"},
         G_OPTION_ENTRY_NULL,
     };
-    if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error)) return CLI_FAILED;
+    if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error))
+        return CLI_FAILED;
     if (!output) {
         cli_fail(error, CLI_USAGE, "-o FILE.c is missing: where to write the source");
         return CLI_FAILED;

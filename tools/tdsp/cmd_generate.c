@@ -27,7 +27,8 @@ static gboolean parse_growth(Wanted *wanted, GError **error)
 {
     wanted->options.growth = wanted->kind->growth;
     if (!wanted->growth) return TRUE;
-    if (wanted->kind->growth < 0) return cli_fail(error, CLI_USAGE, "--growth: the construction %s sets its own growth", wanted->kind->name);
+    if (wanted->kind->growth < 0)
+        return cli_fail(error, CLI_USAGE, "--growth: the construction %s sets its own growth", wanted->kind->name);
     const char *wrong = number_parse_time(wanted->growth, &wanted->options.growth);
     return wrong ? cli_fail(error, CLI_USAGE, "--growth \"%s\": %s", wanted->growth, wrong) : TRUE;
 }
@@ -75,7 +76,8 @@ static void write_scene(JsonOut *out, const char *name, const Generated *scene)
     json_out_line(out);
     json_out_key(out, "discs");
     json_out_begin(out, '[');
-    for (guint i = 0; i < scene->discs->len; i++) write_disc(out, &g_array_index(scene->discs, tdsp_disc, i));
+    for (guint i = 0; i < scene->discs->len; i++)
+        write_disc(out, &g_array_index(scene->discs, tdsp_disc, i));
     json_out_end(out, ']');
     json_out_end(out, '}');
 }

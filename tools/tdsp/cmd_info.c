@@ -132,7 +132,8 @@ static void text_number(GString *text, const char *label, double value, const ch
 static void text_point(GString *text, const char *label, tdsp_point point, const char *unit)
 {
     char x[NUMBER_ROOM], y[NUMBER_ROOM];
-    g_string_append_printf(text, "%-18s(%s, %s)%s%s\n", label, number_format(x, point.x), number_format(y, point.y), *unit ? " " : "", unit);
+    g_string_append_printf(text, "%-18s(%s, %s)%s%s\n", label, number_format(x, point.x), number_format(y, point.y),
+                           *unit ? " " : "", unit);
 }
 
 static void text_head(GString *text, const char *path, const tdsp_table_info *info)
@@ -140,8 +141,9 @@ static void text_head(GString *text, const char *path, const tdsp_table_info *in
     char per_row[NUMBER_ROOM], bound[NUMBER_ROOM];
     gboolean absolute = info->guarantee == TDSP_GUARANTEE_ABSOLUTE;
     g_string_append_printf(text, "%s: table, format %u.%u\n", path, info->version_major, info->version_minor);
-    g_string_append_printf(text, "%-18s%" G_GUINT64_FORMAT " rows, %" G_GUINT64_FORMAT " legs, %" G_GUINT64_FORMAT " bytes (%s a row)\n", "size",
-                           info->rows, info->legs, info->length, number_brief(per_row, bytes_per_row(info), 5));
+    g_string_append_printf(
+        text, "%-18s%" G_GUINT64_FORMAT " rows, %" G_GUINT64_FORMAT " legs, %" G_GUINT64_FORMAT " bytes (%s a row)\n", "size",
+        info->rows, info->legs, info->length, number_brief(per_row, bytes_per_row(info), 5));
     g_string_append_printf(text, "%-18s%s, %s %s, %s sampling\n", "guarantee", words_guarantee(info->guarantee),
                            absolute ? "delta" : "epsilon", number_format(bound, absolute ? info->delta : info->epsilon),
                            words_sampling(info->sampling));
@@ -156,8 +158,9 @@ static void text_jumps(GString *text, const GArray *jumps)
     g_string_append_printf(text, "%-18s%u\n", "jumps", jumps->len);
     for (guint i = 0; i < MIN(jumps->len, JUMPS_SHOWN); i++) {
         const tdsp_jump *jump = &g_array_index(jumps, tdsp_jump, i);
-        g_string_append_printf(text, "  after departure %s the travel time jumps from %s to %s\n", number_format(departure, jump->departure),
-                               number_format(before, jump->before), number_format(after, jump->after));
+        g_string_append_printf(text, "  after departure %s the travel time jumps from %s to %s\n",
+                               number_format(departure, jump->departure), number_format(before, jump->before),
+                               number_format(after, jump->after));
     }
     if (jumps->len > JUMPS_SHOWN) g_string_append_printf(text, "  and %u more (--json lists all)\n", jumps->len - JUMPS_SHOWN);
 }
@@ -165,7 +168,8 @@ static void text_jumps(GString *text, const GArray *jumps)
 static gboolean print_text(const char *path, const Facts *facts, GError **error)
 {
     const tdsp_table_info *info = &facts->info;
-    g_autofree char *per_time = *info->length_unit && *info->time_unit ? g_strdup_printf("%s/%s", info->length_unit, info->time_unit) : g_strdup("");
+    g_autofree char *per_time =
+        *info->length_unit && *info->time_unit ? g_strdup_printf("%s/%s", info->length_unit, info->time_unit) : g_strdup("");
     g_autoptr(GString) text = g_string_new(NULL);
     text_head(text, path, info);
     text_number(text, "speed", info->speed, per_time);

@@ -99,7 +99,8 @@ int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error)
         return CLI_FAILED;
     const char *const inputs[] = {argv[1], NULL};
     if (!file_out_check(wanted.output, inputs, error) || !file_in_load(argv[1], &file, error)) return CLI_FAILED;
-    gboolean done = file.kind == FILE_TABLE ? draw_table(&file, &wanted, &drawn, error) : draw_scene(&file, &wanted, &drawn, error);
+    gboolean done =
+        file.kind == FILE_TABLE ? draw_table(&file, &wanted, &drawn, error) : draw_scene(&file, &wanted, &drawn, error);
     if (!done || !print(&wanted, &file, &drawn, error)) return CLI_FAILED;
     g_autofree char *reason = cli_reason(drawn.status);
     if (drawn.status != TDSP_OK) cli_warn("no path at this departure: %s", reason);

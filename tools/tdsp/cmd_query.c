@@ -10,7 +10,7 @@
 typedef struct Asked {
     gboolean json;
     gboolean by_arrival;
-    char *table;        /* the first positional argument */
+    char *table; /* the first positional argument */
     char *times_file;
     GArray *departures; /* given before --arrive-by, or without it */
     GArray *arrivals;   /* given after it */
@@ -34,7 +34,8 @@ static gboolean take_positional(const char *option, const char *value, gpointer 
         asked->table = g_strdup(value);
         return TRUE;
     }
-    return asked->by_arrival ? times_add(asked->arrivals, value, "arrival", error) : times_add(asked->departures, value, "departure", error);
+    return asked->by_arrival ? times_add(asked->arrivals, value, "arrival", error)
+                             : times_add(asked->departures, value, "departure", error);
 }
 
 static gboolean take_arrive_by(const char *option, const char *value, gpointer data, GError **error)
@@ -50,7 +51,8 @@ static gboolean parse(const CliCommand *command, Asked *asked, int argc, char **
     const GOptionEntry entries[] = {
         {"arrive-by", 0, G_OPTION_FLAG_OPTIONAL_ARG, G_OPTION_ARG_CALLBACK, (gpointer)(void *)(gsize)take_arrive_by,
          "The numbers that follow are arrivals: ask for latest departures", "A..."},
-        {"times", 0, 0, G_OPTION_ARG_FILENAME, &asked->times_file, "Read times from FILE (-: standard input), one a line, # comments", "FILE"},
+        {"times", 0, 0, G_OPTION_ARG_FILENAME, &asked->times_file,
+         "Read times from FILE (-: standard input), one a line, # comments", "FILE"},
         {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_CALLBACK, (gpointer)(void *)(gsize)take_positional, NULL, NULL},
         G_OPTION_ENTRY_NULL,
     };
@@ -89,9 +91,9 @@ static gboolean look_up(const tdsp_table *table, const Asked *asked, Answers *an
     answers->first = g_new(double, list->len);
     answers->second = g_new(double, list->len);
     answers->statuses = g_new(tdsp_status, list->len);
-    tdsp_status status =
-        asked->by_arrival ? tdsp_table_departures(table, times, list->len, answers->first, answers->second, answers->statuses)
-                          : tdsp_table_arrivals(table, times, list->len, answers->first, answers->second, answers->statuses);
+    tdsp_status status = asked->by_arrival
+                             ? tdsp_table_departures(table, times, list->len, answers->first, answers->second, answers->statuses)
+                             : tdsp_table_arrivals(table, times, list->len, answers->first, answers->second, answers->statuses);
     for (gsize i = 0; i < answers->count && status == TDSP_OK; i++) {
         if (!tdsp_status_is_answer(answers->statuses[i])) status = answers->statuses[i];
         if (answers->statuses[i] != TDSP_OK) answers->first[i] = answers->second[i] = INFINITY;

@@ -38,8 +38,8 @@ static gboolean print_text(const VerifyReport *report, GError **error)
     for (guint i = 0; i < report->problems->len; i++)
         g_string_append_printf(text, "problem: %s\n", (const char *)g_ptr_array_index(report->problems, i));
     if (report->disc != TDSP_NO_DISC)
-        g_string_append_printf(text, "least clearance: %s to disc %u at time %s\n", number_format(clearance, report->min_clearance),
-                               report->disc, number_format(time, report->time));
+        g_string_append_printf(text, "least clearance: %s to disc %u at time %s\n",
+                               number_format(clearance, report->min_clearance), report->disc, number_format(time, report->time));
     for (guint i = 0; i < report->checked->len; i++)
         g_string_append_printf(text, "checked: %s\n", (const char *)g_ptr_array_index(report->checked, i));
     return cli_print(text, error);
@@ -82,7 +82,8 @@ int cmd_verify(const CliCommand *command, int argc, char **argv, GError **error)
     g_auto(FileIn) file = {0};
     g_auto(VerifyReport) report = verify_report_new();
     if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, 2, error) ||
-        !parse_deep(deep_text, &deep, error) || !scene_solver_load(argv[1], &solver, error) || !file_in_load(argv[2], &file, error))
+        !parse_deep(deep_text, &deep, error) || !scene_solver_load(argv[1], &solver, error) ||
+        !file_in_load(argv[2], &file, error))
         return CLI_FAILED;
     gboolean done = file.kind == FILE_TABLE ? check_table(&file, &solver, deep, &report, error)
                                             : check_path(&file, &solver, deep, &report, error);

@@ -1,5 +1,4 @@
 /* Atomic replacement of a file: temporary file, fsync, rename, with signals held back. */
-#define _XOPEN_SOURCE 700 /* realpath() */
 #include "file_out.h"
 
 #include <errno.h>
@@ -13,17 +12,33 @@
 
 #include "cli.h"
 
+#define MOST_LINKS 40 /* as many as the system follows */
+
 static gboolean fail_system(GError **error, const char *path, int code)
 {
     return cli_fail(error, CLI_SYSTEM, "cannot write %s: %s", path, g_strerror(code));
 }
 
-/* The file behind `path`, so that a symbolic link stays a link; a copy of `path` where nothing is there yet. */
+/* Where the symbolic link `path` points to, or NULL when it is none. */
+static char *link_target(const char *path)
+{
+    g_autofree char *content = g_file_read_link(path, NULL);
+    if (!content) return NULL;
+    if (g_path_is_absolute(content)) return g_steal_pointer(&content);
+    g_autofree char *folder = g_path_get_dirname(path);
+    return g_build_filename(folder, content, NULL);
+}
+
+/* The file behind `path`, so that a symbolic link stays a link, also one to a file that is still to be made. */
 static char *target_of(const char *path)
 {
-    char *resolved = realpath(path, NULL);
-    char *target = g_strdup(resolved ? resolved : path);
-    free(resolved);
+    char *target = g_strdup(path);
+    for (int i = 0; i < MOST_LINKS; i++) {
+        char *next = link_target(target);
+        if (!next) break;
+        g_free(target);
+        target = next;
+    }
     return target;
 }
 

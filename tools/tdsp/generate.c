@@ -101,7 +101,8 @@ static gint larger_first(gconstpointer one, gconstpointer other)
 static void shuffle(Rng *rng, GArray *discs)
 {
     for (guint i = discs->len; i > 1; i--) {
-        tdsp_disc *last = &g_array_index(discs, tdsp_disc, i - 1), *other = &g_array_index(discs, tdsp_disc, rng_below(rng, i)), kept = *last;
+        tdsp_disc *last = &g_array_index(discs, tdsp_disc, i - 1), *other = &g_array_index(discs, tdsp_disc, rng_below(rng, i)),
+                  kept = *last;
         *last = *other;
         *other = kept;
     }
@@ -119,7 +120,8 @@ static void lay_out(Rng *rng, GArray *radii, double gap, double room, Generated 
     layout.heads = g_new(gint32, (gsize)layout.side * (gsize)layout.side);
     memset(layout.heads, 0xff, (gsize)layout.side * (gsize)layout.side * sizeof *layout.heads);
     layout.next = g_array_new(FALSE, FALSE, sizeof(gint32));
-    for (guint i = 0; i < radii->len; i++) place(&layout, g_array_index(radii, double, i));
+    for (guint i = 0; i < radii->len; i++)
+        place(&layout, g_array_index(radii, double, i));
     g_free(layout.heads);
     g_array_unref(layout.next);
     shuffle(rng, out->discs);
@@ -163,7 +165,8 @@ static void scatter(Rng *rng, guint n, double low, double high, double gap, doub
 
 static void grow_alike(const GenerateOptions *options, Generated *out)
 {
-    for (guint i = 0; i < out->discs->len; i++) g_array_index(out->discs, tdsp_disc, i).growth = rate(out, options->n, options->growth);
+    for (guint i = 0; i < out->discs->len; i++)
+        g_array_index(out->discs, tdsp_disc, i).growth = rate(out, options->n, options->growth);
 }
 
 static void make_random(const GenerateOptions *options, Generated *out)
@@ -229,7 +232,8 @@ static Gaps choose_gaps(Rng *rng, guint column, guint discs)
     guint high = MAX(column % 2 == 1 ? discs * 95 / 100 : discs * 45 / 100, low + gaps.count);
     for (guint i = 0; i < gaps.count; i++) {
         guint before;
-        do before = low + (guint)rng_below(rng, high - low);
+        do
+            before = low + (guint)rng_below(rng, high - low);
         while (contains(gaps.before, i, before));
         insert_ascending(gaps.before, i, before);
         gaps.width[i] = rng_uniform(rng, 0.8, 3.0);
@@ -263,7 +267,7 @@ static void make_wall(const GenerateOptions *options, Generated *out)
 }
 
 static const GenerateKind kinds[] = {
-    {"random", 1, 0.10, make_random}, {"crowd", 1, 0.15, make_crowd},        {"wall", 1, 0.5, make_wall},
+    {"random", 1, 0.10, make_random}, {"crowd", 1, 0.15, make_crowd},         {"wall", 1, 0.5, make_wall},
     {"mixed", 1, 0.08, make_mixed},   {"nsquared", 6, -1, generate_nsquared},
 };
 
@@ -277,6 +281,7 @@ const GenerateKind *generate_kind(const char *name)
 char *generate_kinds(void)
 {
     GString *names = g_string_new(NULL);
-    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++)
+        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
     return g_string_free(names, FALSE);
 }

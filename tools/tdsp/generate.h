@@ -19,7 +19,7 @@ typedef struct GenerateOptions {
 
 typedef struct GenerateKind {
     const char *name;
-    guint least; /* discs */
+    guint least;   /* discs */
     double growth; /* the kind's own; negative where the kind has no such choice */
     void (*make)(const GenerateOptions *options, Generated *out);
 } GenerateKind;

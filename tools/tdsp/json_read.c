@@ -9,7 +9,8 @@
 
 static const char *place_file(const JsonPlace *place)
 {
-    while (place->above) place = place->above;
+    while (place->above)
+        place = place->above;
     return place->file;
 }
 
@@ -17,7 +18,8 @@ static const char *place_file(const JsonPlace *place)
 static void place_append(const JsonPlace *place, gboolean generic, GString *into)
 {
     GPtrArray *chain = g_ptr_array_new();
-    for (const JsonPlace *at = place; at->above; at = at->above) g_ptr_array_add(chain, (gpointer)at);
+    for (const JsonPlace *at = place; at->above; at = at->above)
+        g_ptr_array_add(chain, (gpointer)at);
     for (guint i = chain->len; i-- > 0;) {
         const JsonPlace *at = g_ptr_array_index(chain, i);
         if (at->member)
@@ -41,7 +43,8 @@ gboolean json_read_fail(const JsonPlace *place, GError **error, const char *form
     return cli_fail(error, CLI_INPUT, "%s: %s%s%s", place_file(place), path->str, path->len > 0 ? ": " : "", reason);
 }
 
-gboolean json_read_document(const char *file, const char *text, gsize length, JsonParser **parser, JsonValue *root, GError **error)
+gboolean json_read_document(const char *file, const char *text, gsize length, JsonParser **parser, JsonValue *root,
+                            GError **error)
 {
     g_autoptr(GString) clean = json_scan(file, text, length, error);
     if (!clean) return FALSE;
@@ -60,9 +63,12 @@ static const char *type_of(JsonNode *node)
     if (JSON_NODE_HOLDS_ARRAY(node)) return "an array";
     if (JSON_NODE_HOLDS_NULL(node)) return "null";
     switch (json_node_get_value_type(node)) {
-    case G_TYPE_STRING: return "a string";
-    case G_TYPE_BOOLEAN: return "true or false";
-    default: return "a number";
+    case G_TYPE_STRING:
+        return "a string";
+    case G_TYPE_BOOLEAN:
+        return "true or false";
+    default:
+        return "a number";
     }
 }
 
@@ -156,7 +162,6 @@ void json_read_warn_unknown(const JsonValue *object, const char *const *known, G
         JsonPlace place = {&object->place, name, 0, NULL};
         g_autoptr(GString) kind = g_string_new(NULL);
         place_append(&place, TRUE, kind);
-        if (g_hash_table_add(warned, g_strdup(kind->str)))
-            cli_warn("%s: %s: unknown key ignored", place_file(&place), kind->str);
+        if (g_hash_table_add(warned, g_strdup(kind->str))) cli_warn("%s: %s: unknown key ignored", place_file(&place), kind->str);
     }
 }

@@ -24,7 +24,8 @@ typedef struct JsonValue {
 } JsonValue;
 
 /* Parse a whole document. The parser owns every node; `root` is for `file`. */
-gboolean json_read_document(const char *file, const char *text, gsize length, JsonParser **parser, JsonValue *root, GError **error);
+gboolean json_read_document(const char *file, const char *text, gsize length, JsonParser **parser, JsonValue *root,
+                            GError **error);
 
 /* An error about a place. Returns FALSE. */
 gboolean json_read_fail(const JsonPlace *place, GError **error, const char *format, ...) G_GNUC_PRINTF(3, 4);

@@ -62,7 +62,8 @@ static gboolean scan_unicode_escape(Scan *scan)
     if (!hex4(start + 2, &high)) return fail(scan, start, "a \\u escape needs four hexadecimal digits");
     scan->at += 6;
     if (high >= 0xd800 && high < 0xe000) {
-        if (high >= 0xdc00 || scan->at[0] != '\\' || scan->at[1] != 'u' || !hex4(scan->at + 2, &low) || low < 0xdc00 || low >= 0xe000)
+        if (high >= 0xdc00 || scan->at[0] != '\\' || scan->at[1] != 'u' || !hex4(scan->at + 2, &low) || low < 0xdc00 ||
+            low >= 0xe000)
             return fail(scan, start, "half of a surrogate pair");
         high = 0x10000 + ((high - 0xd800) << 10) + (low - 0xdc00);
         scan->at += 6;
@@ -90,7 +91,8 @@ static gboolean scan_string(Scan *scan)
     g_string_truncate(scan->string, 0);
     while (*scan->at != '"') {
         if ((unsigned char)*scan->at < 0x20)
-            return scan->at == scan->end ? fail(scan, start, "a string that never ends") : fail(scan, scan->at, "a control character in a string");
+            return scan->at == scan->end ? fail(scan, start, "a string that never ends")
+                                         : fail(scan, scan->at, "a control character in a string");
         if (*scan->at == '\\') {
             if (!scan_escape(scan)) return FALSE;
         } else {
@@ -104,7 +106,8 @@ static gboolean scan_string(Scan *scan)
 
 static const char *digits_from(const char *at)
 {
-    while (g_ascii_isdigit(*at)) at++;
+    while (g_ascii_isdigit(*at))
+        at++;
     return at;
 }
 
@@ -144,7 +147,8 @@ static gboolean scan_word(Scan *scan)
     static const char *const words[] = {"true", "false", "null"};
     const char *start = scan->at;
     gsize length = 0;
-    while (g_ascii_isalnum(start[length])) length++;
+    while (g_ascii_isalnum(start[length]))
+        length++;
     for (gsize i = 0; i < G_N_ELEMENTS(words); i++) {
         if (length != strlen(words[i]) || strncmp(start, words[i], length) != 0) continue;
         scan->at += length;
@@ -171,7 +175,8 @@ static gboolean scan_separator(Scan *scan, char close, const char *wrong, gboole
 static gboolean scan_member(Scan *scan, GHashTable *keys)
 {
     const char *start = scan->at;
-    if (*start != '"') return fail(scan, start, start == scan->end ? "the text ends too early" : "expected a key in double quotes");
+    if (*start != '"')
+        return fail(scan, start, start == scan->end ? "the text ends too early" : "expected a key in double quotes");
     if (!scan_string(scan)) return FALSE;
     if (!g_hash_table_add(keys, g_strdup(scan->string->str))) {
         scan->detail = g_strdup(scan->string->str);
@@ -261,6 +266,7 @@ GString *json_scan(const char *file, const char *text, gsize length, GError **er
     }
     g_string_free(scan.string, TRUE);
     g_free(scan.detail);
-    for (gsize i = 0; i < G_N_ELEMENTS(scan.keys); i++) g_clear_pointer(&scan.keys[i], g_hash_table_unref);
+    for (gsize i = 0; i < G_N_ELEMENTS(scan.keys); i++)
+        g_clear_pointer(&scan.keys[i], g_hash_table_unref);
     return scan.out;
 }

@@ -76,7 +76,8 @@ static gboolean read_arc(const JsonValue *value, double speed, tdsp_leg *leg, GE
     int turn;
     JsonValue member;
     if (!json_read_member(value, "disc", &member, error) || !json_read_number(&member, &disc, error)) return FALSE;
-    if (!(disc >= 0 && disc < TDSP_NO_DISC && disc == floor(disc))) return json_read_fail(&member.place, error, "not the index of a disc");
+    if (!(disc >= 0 && disc < TDSP_NO_DISC && disc == floor(disc)))
+        return json_read_fail(&member.place, error, "not the index of a disc");
     if (!json_read_member_point(value, "center", &leg->center, error) || !json_read_member_point(value, "radii", &radii, error) ||
         !read_word(value, "turn", turns, &turn, error))
         return FALSE;
@@ -96,8 +97,8 @@ static gboolean read_leg(const JsonValue *value, double speed, tdsp_leg *leg, GE
     *leg = (tdsp_leg){.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC};
     if (!json_read_object(value, error) || !read_word(value, "type", types, &type, error) ||
         !json_read_member_number(value, "start_time", &leg->start_time, error) ||
-        !json_read_member_number(value, "end_time", &leg->end_time, error) || !json_read_member_point(value, "from", &leg->from, error) ||
-        !json_read_member_point(value, "to", &leg->to, error))
+        !json_read_member_number(value, "end_time", &leg->end_time, error) ||
+        !json_read_member_point(value, "from", &leg->from, error) || !json_read_member_point(value, "to", &leg->to, error))
         return FALSE;
     return type == 0 ? TRUE : read_arc(value, speed, leg, error);
 }

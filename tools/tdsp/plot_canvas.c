@@ -7,8 +7,8 @@
 #include "cli.h"
 #include "file_out.h"
 
-#define PIXELS 2.0         /* of a PNG, for each point */
-#define DIGIT_HEIGHT 0.73  /* of the usual sans-serif, as a share of its size */
+#define PIXELS 2.0        /* of a PNG, for each point */
+#define DIGIT_HEIGHT 0.73 /* of the usual sans-serif, as a share of its size */
 
 static gboolean is_svg(const char *path)
 {
@@ -78,7 +78,8 @@ void canvas_clear(Canvas *canvas)
 
 static void choose_font(cairo_t *cr, const TextStyle *style)
 {
-    cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL, style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_select_font_face(cr, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                           style->bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     cairo_set_font_size(cr, style->size);
 }
 

@@ -21,7 +21,7 @@
 #define MARGIN_RIGHT 36.0
 #define MARGIN_TOP 72.0
 #define MARGIN_BOTTOM 100.0
-#define FINE 0.2          /* points of the canvas that need not be told apart */
+#define FINE 0.2 /* points of the canvas that need not be told apart */
 #define OBSTACLE_EVERY 4.0
 #define MARKED_JUMP 0.012 /* of the frame's height: smaller jumps get no circles */
 
@@ -52,8 +52,14 @@ static Frame frame_of(const Curve *curve)
     if (!(range > 1e-9 * fabs(high))) range = high > 0 ? 0.1 * high : 1;
     double width = last > 0 ? last : 1;
     double bottom = low > 0 ? fmax(low - 0.08 * range, 0) : -0.08 * range;
-    return (Frame){MARGIN_LEFT, MARGIN_TOP, WIDTH - MARGIN_LEFT - MARGIN_RIGHT, HEIGHT - MARGIN_TOP - MARGIN_BOTTOM,
-                   -0.01 * width, 1.04 * width, bottom, low + 1.1 * range};
+    return (Frame){MARGIN_LEFT,
+                   MARGIN_TOP,
+                   WIDTH - MARGIN_LEFT - MARGIN_RIGHT,
+                   HEIGHT - MARGIN_TOP - MARGIN_BOTTOM,
+                   -0.01 * width,
+                   1.04 * width,
+                   bottom,
+                   low + 1.1 * range};
 }
 
 /* A staircase being drawn: vertices that are not told apart are merged. */
@@ -124,7 +130,8 @@ static void circle(cairo_t *cr, double x, double y, gboolean filled)
 /* T is left-continuous: the lower end belongs to the curve, the upper one does not. */
 static void draw_jump(const Curve *curve, cairo_t *cr, const tdsp_jump *jump)
 {
-    double x = frame_x(&curve->frame, jump->departure), before = frame_y(&curve->frame, jump->before), after = frame_y(&curve->frame, jump->after);
+    double x = frame_x(&curve->frame, jump->departure), before = frame_y(&curve->frame, jump->before),
+           after = frame_y(&curve->frame, jump->after);
     cairo_move_to(cr, x, before);
     cairo_line_to(cr, x, after);
     canvas_colour(cr, PLOT_ALARM);
@@ -178,11 +185,13 @@ static void add_obstacles(const Curve *curve, Labels *labels)
     const Frame *frame = &curve->frame;
     double before = frame_y(frame, row_at(curve, 0).left);
     for (double x = frame_x(frame, 0); x < frame_x(frame, curve->info.last_departure); x += OBSTACLE_EVERY) {
-        double departure = curve->info.last_departure * (x - frame_x(frame, 0)) / (frame_x(frame, curve->info.last_departure) - frame_x(frame, 0));
+        double departure = curve->info.last_departure * (x - frame_x(frame, 0)) /
+                           (frame_x(frame, curve->info.last_departure) - frame_x(frame, 0));
         double upper;
         if (tdsp_table_arrival(curve->table, departure, NULL, &upper) != TDSP_OK) continue;
         double now = frame_y(frame, upper - departure);
-        for (double y = before; y > now; y -= OBSTACLE_EVERY) labels_add_obstacle(labels, x, y);
+        for (double y = before; y > now; y -= OBSTACLE_EVERY)
+            labels_add_obstacle(labels, x, y);
         labels_add_obstacle(labels, x, now);
         before = now;
     }

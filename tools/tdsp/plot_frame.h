@@ -6,7 +6,7 @@
 #include "tdsp/types.h"
 
 typedef struct Frame {
-    double left, top, width, height; /* on the canvas */
+    double left, top, width, height;     /* on the canvas */
     double x_low, x_high, y_low, y_high; /* in the world; y grows upwards */
 } Frame;
 

@@ -5,8 +5,8 @@
 
 #include "tdsp/path.h"
 
-#define ARC_STEP 0.04    /* radians between the points of an arc, */
-#define ARC_PIXELS 2.0   /* and points of the canvas */
+#define ARC_STEP 0.04  /* radians between the points of an arc, */
+#define ARC_PIXELS 2.0 /* and points of the canvas */
 #define MOST_STEPS 4000
 #define OBSTACLE_EVERY 4.0 /* points of the canvas */
 #define TICKS 9.0          /* about so many times along the path */
@@ -51,7 +51,8 @@ static void trace(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsize c
 static void add_obstacles(const Frame *frame, const tdsp_leg *leg, Labels *labels)
 {
     tdsp_point from = on_canvas(frame, leg->from), to = on_canvas(frame, leg->to);
-    double length = leg->kind == TDSP_LEG_ARC ? leg->radius_to * leg->sweep * scale_of(frame) : hypot(to.x - from.x, to.y - from.y);
+    double length =
+        leg->kind == TDSP_LEG_ARC ? leg->radius_to * leg->sweep * scale_of(frame) : hypot(to.x - from.x, to.y - from.y);
     guint steps = (guint)CLAMP(length / OBSTACLE_EVERY, 1, MOST_STEPS);
     for (guint i = 0; i <= steps; i++) {
         tdsp_point at = on_canvas(frame, tdsp_leg_position(leg, leg_time(leg, (double)i / steps)));
@@ -75,7 +76,8 @@ void plot_route_draw(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsiz
     stroke(cr, 2.4, PLOT_PATH);
     cairo_new_path(cr);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-    for (gsize i = 0; i < count; i++) add_obstacles(frame, &legs[i], labels);
+    for (gsize i = 0; i < count; i++)
+        add_obstacles(frame, &legs[i], labels);
 }
 
 void plot_route_ridden(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsize count)
@@ -99,7 +101,8 @@ void plot_route_ridden(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gs
 static tdsp_point direction_at(const Frame *frame, const tdsp_leg *legs, gsize count, double time, double around)
 {
     tdsp_point before, after;
-    if (tdsp_path_position(legs, count, time - around, &before) != TDSP_OK || tdsp_path_position(legs, count, time + around, &after) != TDSP_OK)
+    if (tdsp_path_position(legs, count, time - around, &before) != TDSP_OK ||
+        tdsp_path_position(legs, count, time + around, &after) != TDSP_OK)
         return (tdsp_point){0, 0};
     before = on_canvas(frame, before);
     after = on_canvas(frame, after);

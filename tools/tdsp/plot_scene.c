@@ -16,7 +16,7 @@
 #define MARGIN_TOP 66.0
 #define MARGIN_BOTTOM 110.0
 #define LEAST_SHAPE 0.8 /* the shorter side of the frame over the longer one */
-#define FAR 1.5          /* discs count for the view up to so many lengths of the journey away */
+#define FAR 1.5         /* discs count for the view up to so many lengths of the journey away */
 
 typedef struct Extent {
     double x_low, x_high, y_low, y_high;
@@ -99,8 +99,14 @@ static Frame frame_of(Extent extent)
     widen(&extent.x_low, &extent.x_high, LEAST_SHAPE * side);
     widen(&extent.y_low, &extent.y_high, LEAST_SHAPE * side);
     double scale = LONG_SIDE / side;
-    return (Frame){MARGIN_LEFT, MARGIN_TOP, scale * (extent.x_high - extent.x_low), scale * (extent.y_high - extent.y_low),
-                   extent.x_low, extent.x_high, extent.y_low, extent.y_high};
+    return (Frame){MARGIN_LEFT,
+                   MARGIN_TOP,
+                   scale * (extent.x_high - extent.x_low),
+                   scale * (extent.y_high - extent.y_low),
+                   extent.x_low,
+                   extent.x_high,
+                   extent.y_low,
+                   extent.y_high};
 }
 
 /* The edge of the union at arrival is what a slightly larger union below it leaves to be seen. */
@@ -172,9 +178,10 @@ static char *subtitle_of(const ScenePicture *picture)
     g_autofree char *arrival = with_unit(picture->arrival, 7, time);
     g_autofree char *speed = with_unit(journey->speed, 5, length);
     g_autofree char *reason = cli_reason(picture->status);
-    g_autofree char *answer = isfinite(picture->arrival) ? g_strdup_printf("arrives at %s", arrival) : g_strdup_printf("no path: %s", reason);
-    return g_strdup_printf("leaves at %s, %s \xc2\xb7 %" G_GSIZE_FORMAT " disc%s \xc2\xb7 robot's speed %s%s%s", departure, answer, count,
-                           count == 1 ? "" : "s", speed, *length && *time ? "/" : "", *length ? time : "");
+    g_autofree char *answer =
+        isfinite(picture->arrival) ? g_strdup_printf("arrives at %s", arrival) : g_strdup_printf("no path: %s", reason);
+    return g_strdup_printf("leaves at %s, %s \xc2\xb7 %" G_GSIZE_FORMAT " disc%s \xc2\xb7 robot's speed %s%s%s", departure,
+                           answer, count, count == 1 ? "" : "s", speed, *length && *time ? "/" : "", *length ? time : "");
 }
 
 static void draw_titles(const Canvas *canvas, const ScenePicture *picture)

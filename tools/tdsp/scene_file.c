@@ -30,7 +30,8 @@ static gboolean read_robot(const JsonValue *root, Reading *reading, GError **err
     static const char *const known[] = {"speed", "radius", NULL};
     JsonValue robot, speed, radius;
     if (!json_read_member(root, "robot", &robot, error) || !json_read_object(&robot, error)) return FALSE;
-    if (!json_read_member(&robot, "speed", &speed, error) || !json_read_number(&speed, &reading->journey.speed, error)) return FALSE;
+    if (!json_read_member(&robot, "speed", &speed, error) || !json_read_number(&speed, &reading->journey.speed, error))
+        return FALSE;
     if (!(reading->journey.speed > 0)) return json_read_fail(&speed.place, error, "must be greater than zero");
     if (json_read_optional(&robot, "radius", &radius) && !read_not_negative(&robot, "radius", &reading->journey.radius, error))
         return FALSE;
@@ -168,8 +169,9 @@ static gboolean read_units(const JsonValue *root, Reading *reading, GError **err
 static gboolean read_root(const JsonValue *root, Reading *reading, GError **error)
 {
     static const char *const known[] = {"name", "units", "robot", "source", "destination", "discs", NULL};
-    if (!json_read_object(root, error) || !read_text(root, "name", &reading->out.name, error) || !read_units(root, reading, error) ||
-        !read_robot(root, reading, error) || !json_read_member_point(root, "source", &reading->journey.source, error) ||
+    if (!json_read_object(root, error) || !read_text(root, "name", &reading->out.name, error) ||
+        !read_units(root, reading, error) || !read_robot(root, reading, error) ||
+        !json_read_member_point(root, "source", &reading->journey.source, error) ||
         !json_read_member_point(root, "destination", &reading->journey.destination, error) || !read_discs(root, reading, error))
         return FALSE;
     json_read_warn_unknown(root, known, reading->warned);
@@ -180,8 +182,8 @@ static gboolean read_root(const JsonValue *root, Reading *reading, GError **erro
 static gboolean prepare(const char *file, Reading *reading, GError **error)
 {
     Stopwatch watch = stopwatch_start();
-    tdsp_status status = tdsp_scene_create(&reading->journey, (const tdsp_disc *)(void *)reading->discs->data, reading->discs->len, NULL,
-                                           &reading->out.scene);
+    tdsp_status status = tdsp_scene_create(&reading->journey, (const tdsp_disc *)(void *)reading->discs->data,
+                                           reading->discs->len, NULL, &reading->out.scene);
     reading->out.prepare_seconds = stopwatch_seconds(watch);
     return status == TDSP_OK ? TRUE : cli_fail_status(error, file, status);
 }

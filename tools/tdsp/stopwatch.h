@@ -16,7 +16,8 @@ static inline Stopwatch stopwatch_start(void)
 static inline double stopwatch_seconds(Stopwatch since)
 {
     Stopwatch now = stopwatch_start();
-    return ((double)(now.tv_sec - since.tv_sec) * 1e9 + (double)(now.tv_nsec - since.tv_nsec)) / 1e9; /* a decimal without noise */
+    return ((double)(now.tv_sec - since.tv_sec) * 1e9 + (double)(now.tv_nsec - since.tv_nsec)) /
+           1e9; /* a decimal without noise */
 }
 
 #endif

@@ -7,7 +7,8 @@
 TextTable text_table_new(const char *const *heading)
 {
     TextTable table = {g_strv_length((char **)(gpointer)heading), g_ptr_array_new_with_free_func(g_free)};
-    for (guint i = 0; i < table.columns; i++) g_ptr_array_add(table.cells, g_strdup_printf("%s%s", i == 0 ? "# " : "", heading[i]));
+    for (guint i = 0; i < table.columns; i++)
+        g_ptr_array_add(table.cells, g_strdup_printf("%s%s", i == 0 ? "# " : "", heading[i]));
     return table;
 }
 
@@ -38,7 +39,8 @@ static glong width_of(const TextTable *table, guint column)
 void text_table_append(const TextTable *table, GString *into)
 {
     g_autofree glong *widths = g_new(glong, table->columns);
-    for (guint i = 0; i < table->columns; i++) widths[i] = width_of(table, i);
+    for (guint i = 0; i < table->columns; i++)
+        widths[i] = width_of(table, i);
     for (guint i = 0; i < table->cells->len; i++) {
         const char *cell = g_ptr_array_index(table->cells, i);
         guint column = i % table->columns;

@@ -28,9 +28,11 @@ static gboolean check_backwards(VerifyReport *report, tdsp_solver *solver, doubl
     if (!tdsp_status_is_answer(status)) return cli_fail_status(error, "solver", status);
     if (status == TDSP_ARRIVAL_TOO_EARLY && departure <= margin) return TRUE;
     if (status != TDSP_OK)
-        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards: %s", departure, arrival, tdsp_status_name(status));
+        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards: %s", departure, arrival,
+                              tdsp_status_name(status));
     else if (latest < departure - margin)
-        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards departs at %.17g", departure, arrival, latest);
+        verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards departs at %.17g", departure,
+                              arrival, latest);
     if (arrival - 2 * margin <= departure) return TRUE;
     status = tdsp_latest_departure(solver, arrival - 2 * margin, &latest, NULL);
     if (!tdsp_status_is_answer(status)) return cli_fail_status(error, "solver", status);
@@ -52,12 +54,14 @@ gboolean verify_deep_path(VerifyReport *report, tdsp_solver *solver, const PathF
         verify_report_problem(report, "arrives at %.17g, before the earliest arrival %.17g", path->arrival, arrival);
     if (!check_backwards(report, solver, path->departure, arrival, error)) return FALSE;
     double travel = arrival - path->departure;
-    verify_report_checked(report, "deep: solved 1 departure again, forwards and backwards; the path takes %.6g times the least travel time",
-                          travel > 0 ? (path->arrival - path->departure) / travel : 1);
+    verify_report_checked(
+        report, "deep: solved 1 departure again, forwards and backwards; the path takes %.6g times the least travel time",
+        travel > 0 ? (path->arrival - path->departure) / travel : 1);
     return TRUE;
 }
 
-static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const tdsp_table *table, double departure, GError **error)
+static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const tdsp_table *table, double departure,
+                                GError **error)
 {
     double arrival, lower, upper;
     tdsp_status status, answer;
@@ -65,12 +69,14 @@ static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const
     if (status != TDSP_OK) return cli_fail_status(error, "table", status);
     if (!scene_solver_arrival(solver, departure, &arrival, &answer, error)) return FALSE;
     if (answer != TDSP_OK) {
-        verify_report_problem(report, "departure %.17g: the table has a path, the solver has none: %s", departure, tdsp_status_name(answer));
+        verify_report_problem(report, "departure %.17g: the table has a path, the solver has none: %s", departure,
+                              tdsp_status_name(answer));
         return TRUE;
     }
     double margin = slack(departure, arrival);
     if (arrival < lower - margin || arrival > upper + margin)
-        verify_report_problem(report, "departure %.17g: arrival %.17g is outside [%.17g, %.17g]", departure, arrival, lower, upper);
+        verify_report_problem(report, "departure %.17g: arrival %.17g is outside [%.17g, %.17g]", departure, arrival, lower,
+                              upper);
     return check_backwards(report, solver, departure, arrival, error);
 }
 

@@ -8,7 +8,8 @@
 
 VerifyReport verify_report_new(void)
 {
-    return (VerifyReport){g_ptr_array_new_with_free_func(g_free), g_ptr_array_new_with_free_func(g_free), INFINITY, INFINITY, TDSP_NO_DISC};
+    return (VerifyReport){g_ptr_array_new_with_free_func(g_free), g_ptr_array_new_with_free_func(g_free), INFINITY, INFINITY,
+                          TDSP_NO_DISC};
 }
 
 void verify_report_clear(VerifyReport *report)
@@ -25,7 +26,8 @@ gboolean verify_report_ok(const VerifyReport *report)
 void verify_report_json(const GPtrArray *sentences, JsonOut *out)
 {
     json_out_begin(out, '[');
-    for (guint i = 0; i < sentences->len; i++) json_out_string(out, g_ptr_array_index(sentences, i));
+    for (guint i = 0; i < sentences->len; i++)
+        json_out_string(out, g_ptr_array_index(sentences, i));
     json_out_end(out, ']');
 }
 
@@ -78,7 +80,8 @@ gboolean verify_report_path(VerifyReport *report, const tdsp_scene *scene, const
                                           path->arrival, &verdict);
     if (status != TDSP_OK) return cli_fail_status(error, "verify", status);
     take_verdict(report, "path", &verdict);
-    verify_report_checked(report, "path of %u leg%s: well formed, starts, joins and ends, top speed, clearance over the whole motion",
+    verify_report_checked(report,
+                          "path of %u leg%s: well formed, starts, joins and ends, top speed, clearance over the whole motion",
                           path->legs->len, path->legs->len == 1 ? "" : "s");
     return TRUE;
 }
@@ -99,9 +102,11 @@ gboolean verify_report_table(VerifyReport *report, const tdsp_scene *scene, cons
     count_problem(report, verdict.bad_order, "out of order");
     count_problem(report, verdict.bad_ratio, "break the guarantee");
     count_problem(report, verdict.bad_paths, "with a path that was rejected");
-    if (verdict.first_bad_row != UINT64_MAX) verify_report_problem(report, "the first of them is row %" G_GUINT64_FORMAT, verdict.first_bad_row);
+    if (verdict.first_bad_row != UINT64_MAX)
+        verify_report_problem(report, "the first of them is row %" G_GUINT64_FORMAT, verdict.first_bad_row);
     take_verdict(report, "worst path", &verdict.worst);
     if (!verdict.ok && verify_report_ok(report)) verify_report_problem(report, "the verifier rejects the table");
-    verify_report_checked(report, "bytes, order, interval ratios, scene hash, and the paths of %" G_GUINT64_FORMAT " rows", info.rows);
+    verify_report_checked(report, "bytes, order, interval ratios, scene hash, and the paths of %" G_GUINT64_FORMAT " rows",
+                          info.rows);
     return TRUE;
 }

@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+"""Pictures: whole SVG and PNG files of scenes and tables."""
+import os
+import pathlib
+import struct
+import xml.etree.ElementTree as xml
+import zlib
+
+from harness import SCENES, built, done, expect, expect_equal, fails, main, scene, test, write
+
+
+def png_size(name):
+    """Width and height of a PNG whose every chunk has the right checksum and whose pixels unpack to the right length."""
+    data = pathlib.Path(name).read_bytes()
+    expect(data.startswith(b"\x89PNG\r\n\x1a\n"), "no PNG")
+    at, pixels, kinds = 8, b"", []
+    while at < len(data):
+        length, kind = struct.unpack(">I4s", data[at:at + 8])
+        body = data[at + 8:at + 8 + length]
+        expect_equal(struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0], zlib.crc32(kind + body), "checksum")
+        kinds.append(kind)
+        if kind == b"IHDR":
+            width, height, depth, colour = struct.unpack(">IIBB", body[:10])
+        if kind == b"IDAT":
+            pixels += body
+        at += 12 + length
+    expect_equal(kinds[-1], b"IEND")
+    expect_equal(len(zlib.decompress(pixels)), height * (1 + width * {2: 3, 6: 4}[colour] * depth // 8))
+    return width, height
+
+
+def svg_counts(name):
+    """How many elements of each kind a well-formed SVG has."""
+    root = xml.parse(name).getroot()
+    expect(root.tag.endswith("}svg") and root.get("width") and root.get("viewBox"), root.attrib)
+    counts = {}
+    for element in root.iter():
+        kind = element.tag.split("}")[1]
+        counts[kind] = counts.get(kind, 0) + 1
+    return counts
+
+
+@test
+def a_scene_becomes_an_svg():
+    done("plot", scene(), "-o", "a.svg")
+    expect(svg_counts("a.svg").get("path", 0) > 20, "hardly anything was drawn")
+
+
+@test
+def a_scene_becomes_a_png():
+    done("plot", scene(), "-o", "a.PNG")
+    width, height = png_size("a.PNG")
+    expect(width > 1000 and height > 800, (width, height))
+
+
+@test
+def a_table_becomes_an_svg_and_a_png():
+    table = built()
+    done("plot", table, "-o", "t.svg")
+    done("plot", table, "-o", "t.png", "--depart", 5)
+    expect(svg_counts("t.svg").get("path", 0) > 10, "hardly anything was drawn")
+    expect_equal(png_size("t.png"), (2000, 1200))
+
+
+@test
+def the_same_picture_is_drawn_twice():
+    for name in ("a.svg", "b.svg", "a.png", "b.png"):
+        done("plot", scene(), "-o", name, "--depart", 12)
+    for ending in (".svg", ".png"):
+        expect(pathlib.Path("a" + ending).read_bytes() == pathlib.Path("b" + ending).read_bytes(), ending)
+
+
+@test
+def the_departure_changes_the_picture():
+    done("plot", scene(), "-o", "a.svg")
+    done("plot", scene(), "-o", "b.svg", "--depart", 12)
+    expect(pathlib.Path("a.svg").read_bytes() != pathlib.Path("b.svg").read_bytes(), "they are the same")
+
+
+@test
+def any_other_ending_is_a_usage_error():
+    for name in ("a.pdf", "a", "svg", "a.svg.gz"):
+        fails(2, [name, ".svg or .png"], "plot", scene(), "-o", name)
+    expect_equal(os.listdir(), ["scene.json"])
+
+
+@test
+def a_scene_without_a_path_is_drawn_with_a_warning():
+    result = done("plot", scene(), "-o", "a.svg", "--depart", 1000)
+    expect("no path" in result.err, result)
+    svg_counts("a.svg")
+    report = done("plot", scene(), "-o", "a.svg", "--depart", 1000, "--json").json
+    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 1000, "arrival": None, "status": "source_covered"})
+
+
+@test
+def json_tells_what_was_drawn():
+    report = done("plot", scene(), "-o", "a.svg", "--depart", 5, "--json").json
+    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 5, "arrival": 25, "status": "ok"})
+    report = done("plot", built(), "-o", "a.svg", "--json").json
+    expect_equal(report, {"file": "a.svg", "of": "table", "departure": None, "arrival": None, "status": "ok"})
+
+
+@test
+def scenes_of_every_shape_are_drawn():
+    far = {"center": [1e9, 1e9], "radius": 1e8, "growth": 0}
+    shapes = {"one place": {"destination": [-10, 0]}, "no discs": {"discs": []}, "one far disc": {"discs": [far]},
+              "points": {"discs": [{"center": [0, 0], "radius": 0, "growth": 0}]},
+              "inside": {"discs": [{"center": [0, 0], "radius": 1e6, "growth": 0}]},
+              "upright": {"source": [0, 0], "destination": [0, 1000], "discs": []},
+              "tiny": {"source": [0, 0], "destination": [1e-6, 1e-7], "discs": []},
+              "huge": {"source": [0, 0], "destination": [1e12, 1e7], "discs": []}, "no units": {"units": {}, "name": ""}}
+    for name, changes in shapes.items():
+        done("plot", scene(**changes), "-o", "a.svg")
+        svg_counts("a.svg")
+        done("plot", "scene.json", "-o", "a.png")
+        width, height = png_size("a.png")
+        expect(1000 < width < 3000 and 1000 < height < 3000, f"{name}: {width} by {height}")
+
+
+@test
+def every_shipped_scene_is_drawn():
+    for file in sorted(SCENES.glob("*.json")):
+        done("plot", file, "-o", "a.svg")
+        svg_counts("a.svg")
+
+
+@test
+def tables_of_every_shape_are_drawn():
+    for changes, options in [({"destination": [-10, 0], "discs": []}, ["--horizon", 0]), ({"discs": []}, ["--horizon", 1e6]),
+                             ({}, ["--epsilon", 1]), ({}, ["--epsilon", 1e-4]), ({}, ["--guarantee", "absolute", "--delta", 1])]:
+        done("build", scene(**changes), "-o", "t.tdsp", *options)
+        done("plot", "t.tdsp", "-o", "a.svg", "--depart", 0)
+        svg_counts("a.svg")
+    expect(pathlib.Path("a.svg").stat().st_size < 500000, "the picture of a large table is large")
+
+
+@test
+def a_file_that_is_nothing_is_refused():
+    fails(3, ["neither JSON nor a table"], "plot", write("x", "hello"), "-o", "a.svg")
+
+
+main()

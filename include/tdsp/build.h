@@ -2,7 +2,7 @@
  * The sampler: any oracle in, the bytes of a table out.
  *
  * Adaptive sampling places each row as late as the guarantee allows; geometric sampling is Algorithm 1 of Maheshwari,
- * Nouri, Sack (arXiv 1808.01984) with its indices mended. See docs/math.md.
+ * Nouri, Sack (arXiv 1808.01984) with its indices mended. See docs/sampler.md.
  */
 #ifndef TDSP_BUILD_H
 #define TDSP_BUILD_H
@@ -27,10 +27,16 @@ typedef struct tdsp_build_world {
     const char *time_unit;   /* at most 15 bytes of UTF-8; NULL is "" */
 } tdsp_build_world;
 
-/** Called now and then with the departures settled so far out of all; a return other than 0 cancels. */
+/**
+ * Called before each call of the oracle (with workers: between batches) with the departure settled so far and the last of all, which
+ * is infinite until it is known; a return other than 0 cancels.
+ */
 typedef int (*tdsp_progress)(void *ctx, double settled, double all);
 
-/** Called to run task(task_ctx, i, worker) for each i < count, in any order; worker < workers says which oracle to use. */
+/**
+ * Called to run task(task_ctx, i, worker) once for each i < count, in any order, and to return when all are done; worker < worker_count
+ * says which oracle to use, one task at a time for each. Tasks use the allocator: with threads it must be safe to call from them.
+ */
 typedef void (*tdsp_task)(void *task_ctx, size_t i, size_t worker);
 typedef void (*tdsp_run_tasks)(void *ctx, tdsp_task task, void *task_ctx, size_t count);
 
@@ -45,9 +51,9 @@ typedef struct tdsp_build_options {
     tdsp_build_world world; /* copied into the table's header */
     tdsp_progress progress; /* may be NULL */
     void *progress_ctx;
-    tdsp_run_tasks run_tasks;   /* the caller's threads; NULL: everything in this one */
+    tdsp_run_tasks run_tasks;   /* the caller's threads, for geometric sampling; NULL: everything in this one */
     void *run_tasks_ctx;
-    const tdsp_oracle *workers; /* one oracle a worker, equal in their answers; NULL: only the oracle given */
+    const tdsp_oracle *workers; /* one oracle a worker, equal in what they declare and answer; NULL: only the oracle given */
     size_t worker_count;
 } tdsp_build_options;
 
@@ -74,8 +80,9 @@ typedef struct tdsp_build_report {
  * @param length     receives its length in bytes
  * @param report     may be NULL; filled on success
  * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED, TDSP_CUT_OFF or TDSP_UNREACHABLE when there is no way at departure 0;
- *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED (geometric with another guarantee than arrival, travel with an oracle that
- *         is monotone in arrival); TDSP_NEEDS_HORIZON; TDSP_TOO_MANY_ROWS; TDSP_BAD_ORACLE; TDSP_CANCELLED; TDSP_NO_MEMORY; an error
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED (geometric with another guarantee than arrival or with A(0) = 0; travel with an
+ *         oracle that is monotone in arrival; a guarantee finer than the oracle's error, as a relative one is where T grows from 0);
+ *         TDSP_NEEDS_HORIZON; TDSP_TOO_MANY_ROWS; TDSP_BAD_ORACLE; TDSP_CANCELLED; TDSP_NO_MEMORY; an error
  *         of the oracle. Outputs are untouched unless TDSP_OK.
  *
  * The bytes depend on the oracle and the options only, not on the number of workers. Since 0.1.

@@ -28,11 +28,14 @@ typedef struct tdsp_oracle {
     size_t size; /* sizeof(tdsp_oracle), set by tdsp_oracle_init() */
     void *ctx;   /* handed to each callback */
     tdsp_monotone monotone;
-    double error; /* stated error: |returned A(t) - true A(t)| <= error * (T(t) + time_scale); default 0 */
+    double error; /* stated error, 0 to 0.1: |returned A(t) - true A(t)| <= error * (T(t) + time_scale); default 0. Eight half units
+                     of rounding of A are allowed for besides. An arrival equal to its departure is taken as exact. Where A jumps, the side
+                     may be mistaken for departures as near to the jump as ten times this (with A(t) for T(t)). */
     double time_scale; /* a time that is typical of the problem, e.g. |sd| / speed; not negative; default 0 */
 
-    /* A(t) for t >= 0: TDSP_OK and *arrival, or an answer that says why there is no way (*arrival is then ignored).
-     * Where there is no way for t there is none for any later t. Required. */
+    /* A(t) for t >= 0: TDSP_OK and *arrival, finite and not before the departure; or TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED,
+     * TDSP_CUT_OFF or TDSP_UNREACHABLE when there is no way (*arrival is then ignored). Where there is no way for t there is none for
+     * any later t. Required. */
     tdsp_status (*earliest_arrival)(void *ctx, double departure, double *arrival);
 
     /* sup { t >= 0 : A(t) <= arrival }: TDSP_OK and *departure, TDSP_ARRIVAL_TOO_EARLY, or why there is no way. `arrival` may be
@@ -42,8 +45,8 @@ typedef struct tdsp_oracle {
     /* The path of the last earliest_arrival that returned TDSP_OK. NULL: rows carry no path. */
     tdsp_status (*path)(void *ctx, tdsp_oracle_path *out);
 
-    /* Why departures end at `departure` (the value of latest_departure(infinity)). NULL: the sampler asks earliest_arrival just
-     * after it. */
+    /* Why departures end at `departure`, the last one that earliest_arrival answered: one of its four reasons. NULL: the reason
+     * that earliest_arrival gives after it. */
     tdsp_status (*last_reason)(void *ctx, double departure, tdsp_status *reason);
 } tdsp_oracle;
 

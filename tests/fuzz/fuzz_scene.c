@@ -1,0 +1,67 @@
+/*
+ * Any text at all as a scene file: the reader must refuse it with a message or hand out a scene that can be solved. Scenes of a few discs are
+ * solved, whatever their numbers are: an arrival is never earlier than the straight line allows, and a latest departure keeps its word.
+ */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "tdsp/scene_file.h"
+#include "tdsp/solver.h"
+
+enum { FEW = 6 };
+
+int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size);
+
+static void fuzz_quiet(const char *text)
+{
+    (void)text;
+}
+
+static void fuzz_require(int holds)
+{
+    if (!holds) abort();
+}
+
+/* The straight line's time, a little less for rounding. */
+static double fuzz_least(const tdsp_journey *journey)
+{
+    double across = hypot(journey->destination.x - journey->source.x, journey->destination.y - journey->source.y);
+    return across / journey->speed * (1.0 - 1e-9);
+}
+
+static void fuzz_solve(const tdsp_scene *scene, double departure)
+{
+    double arrival = 0.0, latest = 0.0, arrives = 0.0;
+    tdsp_solver *solver = NULL;
+    if (tdsp_solver_create(scene, &solver) != TDSP_OK) return;
+    tdsp_status status = tdsp_earliest_arrival(solver, departure, &arrival);
+    fuzz_require(tdsp_status_is_answer(status) || status == TDSP_NO_MEMORY);
+    if (status == TDSP_OK && isfinite(arrival)) {
+        fuzz_require(arrival >= departure + fuzz_least(tdsp_scene_journey(scene)));
+        status = tdsp_latest_departure(solver, arrival, &latest, &arrives);
+        fuzz_require(tdsp_status_is_answer(status) || status == TDSP_NO_MEMORY);
+        if (status == TDSP_OK) fuzz_require(latest >= 0.0 && arrives >= latest);
+    }
+    tdsp_solver_free(solver);
+}
+
+int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size)
+{
+    g_auto(SceneFile) scene = {0};
+    g_autoptr(GError) error = NULL;
+    size_t count = 0;
+    g_set_printerr_handler(fuzz_quiet);
+    char *text = g_malloc(size + 1); /* exactly as long as it is, so that a read past its end is seen */
+    if (size) memcpy(text, data, size);
+    text[size] = '\0';
+    gboolean read = scene_file_parse("input", text, size, &scene, &error);
+    g_free(text);
+    fuzz_require(read ? scene.scene != NULL && !error : error != NULL);
+    if (!read) return 0;
+    (void)tdsp_scene_discs(scene.scene, &count);
+    if (count > FEW) return 0;
+    fuzz_solve(scene.scene, 0.0);
+    fuzz_solve(scene.scene, 1.0);
+    return 0;
+}

@@ -187,7 +187,7 @@ examples: $(EXAMPLES) ## build the example programs of examples/c
 
 # ----------------------------------------------------------------------------------------------------------------- demo
 
-DEMO_SCENE ?= $(firstword $(wildcard examples/scenes/fire-washington*.json) $(wildcard examples/scenes/fire-*.json) examples/scenes/two-discs.json)
+DEMO_SCENE ?= examples/scenes/fire-oregon-c.json
 
 .PHONY: demo
 demo: ## the main job on a real scene: table and two pictures in build/demo

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "search/gap.h"
+#include "search/reason.h"
 
 tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
 {
@@ -33,10 +34,7 @@ void tdsp_solver_free(tdsp_solver *solver)
     memory_free(memory, solver, sizeof *solver);
 }
 
-/* A search for the reason ends this many crossings of the scene after the departure: every disc is one large wall by then. */
-#define EXPLAIN_TIME 1e3
-
-static engine_question forward_question(const tdsp_scene *scene, double departure)
+engine_question solver_forward_question(const tdsp_scene *scene, double departure)
 {
     double until = scene->destination_cover.time / scene->time;
     engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
@@ -53,7 +51,7 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
         *arrival = departure;
         return TDSP_OK;
     }
-    engine_question question = forward_question(scene, departure);
+    engine_question question = solver_forward_question(scene, departure);
     ++solver->work.forward_searches;
     tdsp_status status = engine_run(&solver->engine, set, &question);
     if (status != TDSP_OK) return status;
@@ -79,31 +77,28 @@ static tdsp_status ask_arrival(void *ctx, const disc_set *set)
     return tdsp_status_is_answer(question->answer) ? TDSP_OK : question->answer;
 }
 
-/* Which of two reasons holds when a robot that started free found no way? */
-static tdsp_status ask_reason(void *ctx, const disc_set *set)
+tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
-    arrival_question *question = ctx;
-    tdsp_solver *solver = question->solver;
-    engine_question why = forward_question(solver->scene, question->departure);
-    why.explain = 1;
-    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + solver->scene->extent);
-    tdsp_status status = engine_run(&solver->engine, set, &why);
-    question->answer = solver->engine.arrived == ENGINE_NONE ? TDSP_CUT_OFF : TDSP_DESTINATION_COVERED;
-    return status;
+    arrival_question question = {solver, solver->work, departure, INFINITY, TDSP_OK};
+    solver->has_path = 0;
+    tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_arrival, &question);
+    if (status != TDSP_OK) return status;
+    if (question.answer == TDSP_OK) *arrival = question.arrival;
+    return question.answer;
 }
 
 tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
     if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
-    arrival_question question = {solver, solver->work, departure, INFINITY, TDSP_OK};
-    solver->has_path = 0;
-    tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_arrival, &question);
-    if (status == TDSP_OK && question.answer == TDSP_OK) status = route_keep(solver, departure, question.arrival);
-    if (status == TDSP_OK && question.answer == TDSP_CUT_OFF)
-        status = relax_run(&solver->relaxation, &solver->engine, ask_reason, &question);
-    if (status != TDSP_OK) return status;
-    *arrival = question.answer == TDSP_OK ? question.arrival : INFINITY;
-    return question.answer;
+    double found = INFINITY;
+    tdsp_status status = solver_arrival(solver, departure, &found);
+    if (status == TDSP_OK) status = route_keep(solver, departure, found);
+    if (status == TDSP_CUT_OFF) {
+        tdsp_status failure = reason_find(solver, departure, &status);
+        if (failure != TDSP_OK) status = failure;
+    }
+    if (tdsp_status_is_answer(status)) *arrival = found;
+    return status;
 }
 
 tdsp_status tdsp_solver_path(const tdsp_solver *solver, tdsp_leg *legs, size_t capacity, size_t *count)

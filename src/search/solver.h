@@ -23,6 +23,12 @@ struct tdsp_solver {
  */
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double *arrival);
 
+/* The engine's question behind it. */
+engine_question solver_forward_question(const tdsp_scene *scene, double departure);
+
+/* The same among all discs, by relaxation. */
+tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival);
+
 /* Keep the path that the last forward search found for this departure. */
 tdsp_status route_keep(tdsp_solver *solver, double departure, double arrival);
 

@@ -1,0 +1,81 @@
+/* Why there is no way: the rule is in reason.h. */
+#include "search/reason.h"
+
+#include <string.h>
+
+/* A search for the reason ends this many crossings of the scene after the departure: every disc is one large wall by then. */
+#define EXPLAIN_TIME 1e3
+
+/* The discs are looked at this share of the times at hand before the destination is covered, so that it is free for certain. */
+#define JUST_BEFORE 1e-9
+
+typedef struct reason_question {
+    tdsp_solver *solver;
+    double departure;
+    int open;
+} reason_question;
+
+/* Is a robot on its way stopped by nothing but the destination's cover? */
+static tdsp_status ask_stopped(void *ctx, const disc_set *set)
+{
+    reason_question *question = ctx;
+    tdsp_solver *solver = question->solver;
+    engine_question why = solver_forward_question(solver->scene, question->departure);
+    why.explain = 1;
+    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + solver->scene->extent);
+    tdsp_status status = engine_run(&solver->engine, set, &why);
+    question->open = status == TDSP_OK && solver->engine.arrived != ENGINE_NONE;
+    return status;
+}
+
+/* The discs as they are at a time, as a scene of their own. */
+static tdsp_status scene_at(const tdsp_scene *scene, double time, tdsp_scene **still)
+{
+    tdsp_disc *discs = memory_array(&scene->allocator, scene->count, sizeof *discs);
+    if (!discs) return TDSP_NO_MEMORY;
+    for (size_t i = 0; i < scene->count; ++i) {
+        discs[i] = scene->discs[i];
+        discs[i].radius += discs[i].growth * time;
+        discs[i].growth = 0.0;
+    }
+    tdsp_status status = tdsp_scene_create(&scene->journey, discs, scene->count, &scene->allocator, still);
+    memory_free(&scene->allocator, discs, scene->count * sizeof *discs);
+    return status;
+}
+
+/* Is there a way from the source to the destination in a scene where nothing grows? */
+static tdsp_status still_open(const tdsp_scene *still, int *open)
+{
+    tdsp_solver *solver;
+    double arrival = INFINITY;
+    tdsp_status status = tdsp_solver_create(still, &solver);
+    if (status != TDSP_OK) return status;
+    status = solver_arrival(solver, 0.0, &arrival);
+    tdsp_solver_free(solver);
+    *open = status == TDSP_OK;
+    return tdsp_status_is_answer(status) ? TDSP_OK : status;
+}
+
+static tdsp_status open_at_last_moment(const tdsp_scene *scene, int *open)
+{
+    double last = scene->destination_cover.time;
+    double before = last - JUST_BEFORE * (scene->time + last);
+    tdsp_scene *still;
+    *open = 0;
+    if (!(before >= 0.0) || isinf(last)) return TDSP_OK;
+    tdsp_status status = scene_at(scene, before, &still);
+    if (status != TDSP_OK) return status;
+    status = still_open(still, open);
+    tdsp_scene_free(still);
+    return status;
+}
+
+tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
+{
+    reason_question question = {solver, departure, 0};
+    tdsp_status status = open_at_last_moment(solver->scene, &question.open);
+    if (status == TDSP_OK && !question.open)
+        status = relax_run(&solver->relaxation, &solver->engine, ask_stopped, &question);
+    if (status == TDSP_OK) *reason = question.open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
+    return status;
+}

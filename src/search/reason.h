@@ -1,0 +1,16 @@
+/*
+ * Why there is no way.
+ *
+ * The way to the destination counts as open when only the destination's cover stops the robot: when, among the discs as they are at the
+ * last moment t_d at which the destination is free, a robot that stays at the source until then still finds a way to it; or when
+ * a robot that travels meanwhile is stopped for the first time by a disc that by then covers the destination. Otherwise discs close every way.
+ */
+#ifndef SEARCH_REASON_H
+#define SEARCH_REASON_H
+
+#include "search/solver.h"
+
+/* *reason becomes TDSP_DESTINATION_COVERED or TDSP_CUT_OFF, for a departure that is free but has no way. */
+tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason);
+
+#endif

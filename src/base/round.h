@@ -62,6 +62,13 @@ static inline double round_add_down(double a, double b)
     return round_is_finite(s) && round_sum_error(a, b, s) < 0 ? round_next_down(s) : s;
 }
 
+/* Is the real number a + b at most c? */
+static inline int round_sum_at_most(double a, double b, double c)
+{
+    double s = a + b;
+    return (s < c) | ((s == c) & !(round_sum_error(a, b, s) > 0));
+}
+
 static inline double round_subtract_up(double a, double b)
 {
     return round_add_up(a, -b);

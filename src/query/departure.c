@@ -14,8 +14,8 @@
  *                         last row u = a.
  * No such j: u = 0, since every t > 0 has A(t) over a.
  *
- * Here lower(t) is the real sum. A sum x is at most a, a double, exactly when x rounded up is: that is how both searches compare.
- * (Rounded down, lower(t) of a t just after u may still print as a.) departure <= u, since lower(t) <= upper(t).
+ * All sums here are the real ones (a sum is at most a, a double, exactly when the sum rounded up is), so departure <= u, since
+ * lower(t) <= upper(t). The lower end that tdsp_table_arrival() rounds down may still be a itself for a t just after u.
  */
 #include <math.h>
 
@@ -23,16 +23,37 @@
 #include "query/search.h"
 #include "tdsp/table.h"
 
-static int departure_is_safe(const tdsp_table *table, uint64_t row, double arrival)
+/* The two predicates, each on the rounded sum and on the real one. An infinite right says that nothing leaves after the row. */
+static int departure_is_well_safe(const tdsp_table *table, uint64_t row, double arrival)
 {
-    return round_add_up(table_departure(table, row), table_left(table, row)) <= arrival;
+    return table_departure(table, row) + table_left(table, row) < arrival;
 }
 
-/* A row after which some departure may arrive in time. An infinite right says that nothing leaves after the row. */
+static int departure_is_safe(const tdsp_table *table, uint64_t row, double arrival)
+{
+    return round_sum_at_most(table_departure(table, row), table_left(table, row), arrival);
+}
+
+static int departure_may_well_follow(const tdsp_table *table, uint64_t row, double arrival)
+{
+    return table_departure(table, row) + table_right(table, row) < arrival;
+}
+
 static int departure_may_follow(const tdsp_table *table, uint64_t row, double arrival)
 {
     double right = table_right(table, row);
-    return right <= DBL_MAX && round_add_up(table_departure(table, row), right) <= arrival;
+    return (right <= DBL_MAX) & round_sum_at_most(table_departure(table, row), right, arrival);
+}
+
+/*
+ * A rounded sum below a says that the real one is, and one over a that the real one is over a. So the rounded sums, at one
+ * addition and one comparison a step, decide unless the row they end at is a tie; only then the real ones are searched.
+ */
+static uint64_t departure_count(const tdsp_table *table, double arrival, query_before *well, query_before *exactly)
+{
+    uint64_t count = query_count(table, arrival, well);
+    if (count == table->rows || !exactly(table, count, arrival)) return count;
+    return query_count(table, arrival, exactly);
 }
 
 /* The largest t that is safe, given that the rows before `safe` are and that there is one. */
@@ -46,7 +67,7 @@ static double departure_lower(const tdsp_table *table, uint64_t safe, double arr
 
 static double departure_upper(const tdsp_table *table, double arrival)
 {
-    uint64_t open = query_count(table, arrival, departure_may_follow);
+    uint64_t open = departure_count(table, arrival, departure_may_well_follow, departure_may_follow);
     if (open == 0) return 0;
     int travel = table->monotone == TDSP_MONOTONE_TRAVEL;
     double solved = travel ? round_subtract_up(arrival, table_right(table, open - 1)) : arrival;
@@ -58,7 +79,7 @@ static double departure_upper(const tdsp_table *table, double arrival)
 tdsp_status tdsp_table_departure(const tdsp_table *table, double arrival, double *departure, double *upper)
 {
     if (!table || !table->bytes || isnan(arrival)) return TDSP_INVALID_ARGUMENT;
-    uint64_t safe = query_count(table, arrival, departure_is_safe);
+    uint64_t safe = departure_count(table, arrival, departure_is_well_safe, departure_is_safe);
     if (safe == 0) return TDSP_ARRIVAL_TOO_EARLY;
     if (departure) *departure = departure_lower(table, safe, arrival);
     if (upper) *upper = departure_upper(table, arrival);

@@ -94,6 +94,9 @@ static void rounded_sums_enclose_the_sum_and_move_only_where_it_is_inexact(void 
         assert_exact(up, e > 0 ? nextafter(s, INFINITY) : s);
         assert_exact(down, e < 0 ? nextafter(s, -INFINITY) : s);
         if (e == 0) assert_exact(up, down);
+        assert_true(round_sum_at_most(a, b, up) && round_sum_at_most(a, b, INFINITY));
+        assert_int_equal(round_sum_at_most(a, b, down), up == down);
+        assert_false(round_sum_at_most(a, b, nextafter(down, -INFINITY)));
     }
 }
 
@@ -121,6 +124,8 @@ static void an_infinite_sum_stays_infinite(void **state)
     assert_true(round_add_up(1, INFINITY) == INFINITY && round_add_down(1, INFINITY) == INFINITY);
     assert_true(round_add_down(DBL_MAX, DBL_MAX) == INFINITY);
     assert_true(round_subtract_up(1, INFINITY) == -INFINITY);
+    assert_true(round_sum_at_most(1, INFINITY, INFINITY) && !round_sum_at_most(1, INFINITY, DBL_MAX));
+    assert_false(round_sum_at_most(1, 1, NAN));
 }
 
 static void fnv1a_has_its_published_values(void **state)

@@ -38,7 +38,8 @@ static void agrees_at(property_case *c, double departure)
 
 static void agrees(property_case *c)
 {
-    for (int i = 0; i < 4; i++) agrees_at(c, some_departure(c, i));
+    for (int i = 0; i < 4; i++)
+        agrees_at(c, some_departure(c, i));
 }
 
 static void the_engine_and_the_slow_solver_agree(void **state)
@@ -49,7 +50,8 @@ static void the_engine_and_the_slow_solver_agree(void **state)
 
 static void agrees_in_company(property_case *c)
 {
-    for (int i = 0; i < 2; i++) agrees_at(c, some_departure(c, i * 2));
+    for (int i = 0; i < 2; i++)
+        agrees_at(c, some_departure(c, i * 2));
 }
 
 static void they_agree_on_a_dozen_discs(void **state)
@@ -117,7 +119,8 @@ static void a_status_says_what_is_covered(void **state)
 static tdsp_status status_of(const tdsp_disc *discs, size_t count, double departure)
 {
     property_case c = {.name = "by hand", .count = count, .journey = {1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}}};
-    for (size_t i = 0; i < count; i++) c.discs[i] = discs[i];
+    for (size_t i = 0; i < count; i++)
+        c.discs[i] = discs[i];
     property_prepare(&c);
     double arrival = -1.0;
     const tdsp_status status = tdsp_earliest_arrival(c.solver, departure, &arrival);
@@ -131,7 +134,8 @@ static void each_reason_for_no_path_is_told(void **state)
     (void)state;
     const tdsp_disc beside = {{1.0, 1.0}, 0.5, 0.2}, behind = {{-1.5, 0.0}, 0.25, 0.125};
     /* A square of four discs around the source, closed from the start. */
-    const tdsp_disc ring[4] = {{{-0.5, 0.0}, 0.4, 0.0}, {{-1.5, 0.0}, 0.4, 0.0}, {{-1.0, 0.5}, 0.4, 0.0}, {{-1.0, -0.5}, 0.4, 0.0}};
+    const tdsp_disc ring[4] = {
+        {{-0.5, 0.0}, 0.4, 0.0}, {{-1.5, 0.0}, 0.4, 0.0}, {{-1.0, 0.5}, 0.4, 0.0}, {{-1.0, -0.5}, 0.4, 0.0}};
     assert_int_equal(status_of(&beside, 1, 0.49), TDSP_OK);
     assert_int_equal(status_of(&beside, 1, 0.51), TDSP_DESTINATION_COVERED);
     assert_int_equal(status_of(&behind, 1, 2.0), TDSP_OK);
@@ -143,12 +147,9 @@ static void each_reason_for_no_path_is_told(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_engine_and_the_slow_solver_agree),
-        cmocka_unit_test(they_agree_on_a_dozen_discs),
-        cmocka_unit_test(every_path_is_accepted_by_the_verifier),
-        cmocka_unit_test(paths_of_the_slow_solver_are_accepted_too),
-        cmocka_unit_test(a_status_says_what_is_covered),
-        cmocka_unit_test(each_reason_for_no_path_is_told),
+        cmocka_unit_test(the_engine_and_the_slow_solver_agree),   cmocka_unit_test(they_agree_on_a_dozen_discs),
+        cmocka_unit_test(every_path_is_accepted_by_the_verifier), cmocka_unit_test(paths_of_the_slow_solver_are_accepted_too),
+        cmocka_unit_test(a_status_says_what_is_covered),          cmocka_unit_test(each_reason_for_no_path_is_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,7 +43,8 @@ void property_each(int scenes, size_t most, void (*check)(property_case *c))
     for (int mix = 0; mix < RANDOM_MIX_COUNT; mix++) {
         if (only && *only && strcmp(only, random_mix_name((random_mix)mix)) != 0) continue;
         for (uint64_t i = 0; i < number; i++) {
-            property_case c = {.name = random_mix_name((random_mix)mix), .seed = first + i, .count = 1 + (size_t)(i % most), .chance = i};
+            property_case c = {
+                .name = random_mix_name((random_mix)mix), .seed = first + i, .count = 1 + (size_t)(i % most), .chance = i};
             random_scene(c.seed, (random_mix)mix, c.count, &c.journey, c.discs);
             property_prepare(&c);
             check(&c);
@@ -65,13 +66,13 @@ void property_fail(const property_case *c, const char *text, double a, double b,
 {
     const tdsp_journey *j = &c->journey;
     print_error("%s: %.17g, %.17g in the scene\n", text, a, b);
-    print_error("{\"name\": \"%s, seed %llu\", \"robot\": {\"speed\": %.17g, \"radius\": %.17g}, ", c->name, (unsigned long long)c->seed,
-                j->speed, j->radius);
-    print_error("\"source\": [%.17g, %.17g], \"destination\": [%.17g, %.17g], \"discs\": [", j->source.x, j->source.y, j->destination.x,
-                j->destination.y);
+    print_error("{\"name\": \"%s, seed %llu\", \"robot\": {\"speed\": %.17g, \"radius\": %.17g}, ", c->name,
+                (unsigned long long)c->seed, j->speed, j->radius);
+    print_error("\"source\": [%.17g, %.17g], \"destination\": [%.17g, %.17g], \"discs\": [", j->source.x, j->source.y,
+                j->destination.x, j->destination.y);
     for (size_t i = 0; i < c->count; i++)
-        print_error("%s{\"center\": [%.17g, %.17g], \"radius\": %.17g, \"growth\": %.17g}", i ? ",\n" : "\n", c->discs[i].center.x,
-                    c->discs[i].center.y, c->discs[i].radius, c->discs[i].growth);
+        print_error("%s{\"center\": [%.17g, %.17g], \"radius\": %.17g, \"growth\": %.17g}", i ? ",\n" : "\n",
+                    c->discs[i].center.x, c->discs[i].center.y, c->discs[i].radius, c->discs[i].growth);
     print_error("]}\n");
     _fail(file, line);
 }

@@ -100,8 +100,10 @@ static double sampled_clearance(const tdsp_leg *leg, const tdsp_disc *disc, int 
         const double left = low + 0.382 * (high - low), right = low + 0.618 * (high - low);
         const double f = clearance_at(leg, disc, left), g = clearance_at(leg, disc, right);
         best = fmin(best, fmin(f, g));
-        if (f < g) high = right;
-        else low = left;
+        if (f < g)
+            high = right;
+        else
+            low = left;
     }
     return best;
 }
@@ -388,7 +390,8 @@ static void many_discs_give_what_each_gives_alone(void **state)
         const tdsp_point from = {chance_between(&chance, -9.0, 9.0), chance_between(&chance, -9.0, 9.0)};
         const tdsp_leg leg = line(0.0, 1.0, from, (tdsp_point){from.x + 0.6, from.y - 0.8});
         double expected = INFINITY;
-        for (size_t i = 0; i < COUNT; i++) expected = fmin(expected, sampled_clearance(&leg, &discs[i], 4));
+        for (size_t i = 0; i < COUNT; i++)
+            expected = fmin(expected, sampled_clearance(&leg, &discs[i], 4));
         const tdsp_journey journey = {1.0, 0.0, leg.from, leg.to};
         assert_near(verdict_of(&journey, discs, COUNT, &leg, 1).min_clearance, expected, 1e-12);
     }

@@ -74,8 +74,10 @@ static void a_built_table_is_accepted_under_every_guarantee(void **state)
     (void)state;
     for (int guarantee = 0; guarantee < 4; guarantee++) {
         fixture f;
-        if (guarantee == 3) build(&f, TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_GEOMETRIC);
-        else build(&f, (tdsp_guarantee)guarantee, TDSP_SAMPLING_ADAPTIVE);
+        if (guarantee == 3)
+            build(&f, TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_GEOMETRIC);
+        else
+            build(&f, (tdsp_guarantee)guarantee, TDSP_SAMPLING_ADAPTIVE);
         const tdsp_table_verdict verdict = verdict_of(&f);
         assert_true(verdict.ok);
         assert_false(verdict.stale);

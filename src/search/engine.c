@@ -74,11 +74,16 @@ static tdsp_status engine_add_leg(disc_engine *engine, const engine_leg *leg, ui
     return TDSP_OK;
 }
 
+tdsp_status engine_arrive(disc_engine *engine, const engine_leg *leg, int *done)
+{
+    *done = 1;
+    return engine_add_leg(engine, leg, &engine->arrived);
+}
+
 /* A leg to the goal when the question is why there is no way. */
 static tdsp_status engine_explain_leg(disc_engine *engine, engine_leg leg, int *done)
 {
-    *done = leg_stopped_by_cover(engine, &leg);
-    return *done ? engine_add_leg(engine, &leg, &engine->arrived) : TDSP_OK;
+    return leg_stopped_by_cover(engine, &leg) ? engine_arrive(engine, &leg, done) : TDSP_OK;
 }
 
 tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done)

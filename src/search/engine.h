@@ -129,6 +129,9 @@ geom_ride engine_ride_motion(const disc_engine *engine, const engine_ride *ride,
 /* Add a leg and its label, unless it is too late, or ends at the goal and is blocked. Sets *done when that explains everything. */
 tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done);
 
+/* Add a leg to the goal that ends the search. */
+tdsp_status engine_arrive(disc_engine *engine, const engine_leg *leg, int *done);
+
 /* Follow a ride by one chunk. */
 tdsp_status ride_follow(disc_engine *engine, uint32_t ride, int *done);
 

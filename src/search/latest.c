@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "search/gap.h"
+#include "search/reason.h"
 
 /* A(t) counts as equal to a within this share of the times at hand. */
 #define SAME_TIME 1e-11
@@ -270,34 +271,40 @@ tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *d
     return TDSP_OK;
 }
 
-static void last_say(tdsp_last_departure *out, tdsp_status reason, uint32_t disc, double time, tdsp_point place)
-{
-    out->reason = reason;
-    out->disc = disc;
-    out->time = time;
-    out->place = place;
-}
-
 static uint32_t latest_given(const latest_state *state, uint32_t disc)
 {
     return relax_given(&state->solver->relaxation, state->set, disc);
 }
 
-/* What stops the departures after state->best. */
-static void last_explain(const latest_state *state, tdsp_last_departure *out)
+static void last_by_cover(tdsp_last_departure *out, tdsp_status reason, scene_cover cover, tdsp_point end)
+{
+    out->reason = reason;
+    out->disc = cover.disc;
+    out->time = cover.time;
+    out->place = end;
+}
+
+/* What stops the departures after state->best: the reason that holds right after it, and its witness. */
+static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *out)
 {
     const tdsp_scene *scene = state->solver->scene;
-    double slack = latest_slack(state, SAME_TIME);
-    if (state->best >= scene->source_cover.time - slack) {
-        last_say(out, TDSP_SOURCE_COVERED, scene->source_cover.disc, scene->source_cover.time, scene->journey.source);
-    } else if (state->arrives >= scene->destination_cover.time - slack) {
-        last_say(out, TDSP_DESTINATION_COVERED, scene->destination_cover.disc, scene->destination_cover.time, scene->journey.destination);
-    } else if (state->gap) {
-        last_say(out, TDSP_CUT_OFF, latest_given(state, state->gap->first), state->gap->time * scene->time, scene_place(scene, state->gap->place));
-        out->other = latest_given(state, state->gap->second);
-    } else {
-        last_say(out, TDSP_CUT_OFF, TDSP_NO_DISC, state->arrives, scene->journey.destination);
+    if (state->best >= scene->source_cover.time - latest_slack(state, SAME_TIME)) {
+        last_by_cover(out, TDSP_SOURCE_COVERED, scene->source_cover, scene->journey.source);
+        return TDSP_OK;
     }
+    if (state->gap) { /* a witness for the cut; read before the next search replaces the set */
+        out->disc = latest_given(state, state->gap->first);
+        out->other = latest_given(state, state->gap->second);
+        out->time = state->gap->time * scene->time;
+        out->place = scene_place(scene, state->gap->place);
+    }
+    if (state->arrives < scene->destination_cover.time - latest_slack(state, SAME_TIME)) {
+        tdsp_status status = reason_find(state->solver, state->best + latest_slack(state, PROOF_STEP), &out->reason);
+        if (status != TDSP_OK || out->reason == TDSP_CUT_OFF) return status;
+    }
+    last_by_cover(out, TDSP_DESTINATION_COVERED, scene->destination_cover, scene->journey.destination);
+    out->other = TDSP_NO_DISC;
+    return TDSP_OK;
 }
 
 tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out)
@@ -307,8 +314,8 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
     tdsp_status status = latest_run(solver, INFINITY, &state);
     if (status != TDSP_OK) return status;
     if (state.best < 0.0) return latest_refuse(solver, INFINITY);
-    tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, solver->scene->journey.source};
-    if (!isinf(state.best)) last_explain(&state, &last);
-    *out = last;
-    return TDSP_OK;
+    tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, state.arrives, solver->scene->journey.destination};
+    if (!isinf(state.best)) status = last_explain(&state, &last);
+    if (status == TDSP_OK) *out = last;
+    return status;
 }

@@ -39,12 +39,29 @@ static double chunk_end(disc_engine *engine, uint32_t r, int *ended)
     return to;
 }
 
+/*
+ * When the question is why there is no way: the disc ridden may be the one that covers the goal, and then no leg to the goal is left. The rider
+ * has come as near as it can when it passes in front of it.
+ */
+static tdsp_status ride_explain(disc_engine *engine, uint32_t r, double from, double to, int *done)
+{
+    geom_ride motion = engine_ride_motion(engine, &engine->rides[r], from, to);
+    tdsp_point offset = point_sub(engine->question.goal, motion.disc->center);
+    double ahead = angle_positive(motion.side * (atan2(offset.y, offset.x) - motion.angle));
+    double pass = from + spiral_duration(motion.disc, from, ahead);
+    if (!(pass <= to) || point_length(offset) > disc_radius(motion.disc, pass)) return TDSP_OK;
+    double normal = ride_angle(&motion, pass);
+    engine_leg leg = {r, ENGINE_GOAL, motion.side, pass, normal, disc_heading(motion.disc, motion.side, normal), 0.0, 0.0};
+    return engine_arrive(engine, &leg, done);
+}
+
 tdsp_status ride_follow(disc_engine *engine, uint32_t r, int *done)
 {
     int ended, first = engine->rides[r].now == engine->rides[r].start;
     double from = engine->rides[r].now, to = chunk_end(engine, r, &ended);
     if (to > from || (first && to == from)) {
-        tdsp_status status = leaves_push(engine, r, from, to, done);
+        tdsp_status status = engine->question.explain ? ride_explain(engine, r, from, to, done) : TDSP_OK;
+        if (status == TDSP_OK && !*done) status = leaves_push(engine, r, from, to, done);
         if (status != TDSP_OK || *done) return status;
     }
     engine_ride *ride = &engine->rides[r];

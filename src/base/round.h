@@ -28,7 +28,8 @@ static inline int round_is_finite(double x)
 static inline double round_next_up(double x)
 {
     uint64_t bits;
-    if (x == 0) bits = 1;
+    if (x == 0)
+        bits = 1;
     else {
         memcpy(&bits, &x, sizeof bits);
         if (!round_is_finite(x)) return x;

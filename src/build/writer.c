@@ -69,8 +69,8 @@ static int writer_line_is_bare(const tdsp_leg *leg)
 
 static int writer_leg_is_finite(const tdsp_leg *leg)
 {
-    const double numbers[] = {leg->start_time, leg->end_time,  leg->from.x,      leg->from.y,    leg->to.x,       leg->to.y,
-                              leg->center.x,   leg->center.y,  leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep};
+    const double numbers[] = {leg->start_time, leg->end_time, leg->from.x,      leg->from.y,    leg->to.x,       leg->to.y,
+                              leg->center.x,   leg->center.y, leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
         if (!round_is_finite(numbers[i])) return 0;
     }
@@ -128,7 +128,8 @@ static void writer_append(writer *w, const writer_row *row)
     if (row->byte_count > 0) memcpy(w->bytes + w->byte_count, row->bytes, row->byte_count);
     w->leg_count += row->leg_count;
     w->byte_count += row->byte_count;
-    for (size_t i = 0; i < row->leg_count; i++) w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
+    for (size_t i = 0; i < row->leg_count; i++)
+        w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
     if (row->leg_count > 0) w->path_count++;
     if (writer_row_joint(row) == 2) w->joint = 2;
     writer_kept kept = {row->departure, row->left, row->right, w->leg_count, w->byte_count};
@@ -297,7 +298,8 @@ static void writer_put_counts(const writer *w, const writer_layout *layout, unsi
     bytes_put_u64(bytes + FORMAT_AT_WAYPOINTS, layout->waypoints);
     bytes_put_u64(bytes + FORMAT_AT_ARCS, w->arc_count);
     bytes_put_u64(bytes + FORMAT_AT_OPAQUE_LENGTH, w->byte_count);
-    for (size_t i = 0; i < FORMAT_SECTIONS; i++) bytes_put_u64(bytes + FORMAT_AT_OFFSETS + 8 * i, layout->offsets[i]);
+    for (size_t i = 0; i < FORMAT_SECTIONS; i++)
+        bytes_put_u64(bytes + FORMAT_AT_OFFSETS + 8 * i, layout->offsets[i]);
     bytes_put_u32(bytes + FORMAT_AT_JOINT, w->joint);
 }
 

@@ -26,9 +26,9 @@
 typedef struct writer writer;
 
 typedef struct writer_row {
-    double departure; /* b_i */
-    double left;      /* T(b_i), rounded up */
-    double right;     /* T(b_i+), rounded down */
+    double departure;     /* b_i */
+    double left;          /* T(b_i), rounded up */
+    double right;         /* T(b_i+), rounded down */
     const tdsp_leg *legs; /* may be NULL when leg_count is 0 */
     size_t leg_count;
     const void *bytes; /* opaque; may be NULL when byte_count is 0 */
@@ -40,10 +40,10 @@ typedef struct writer_header {
     tdsp_monotone monotone;
     tdsp_guarantee guarantee;
     tdsp_sampling sampling;
-    double epsilon;    /* 0 for the guarantee absolute */
-    double delta;      /* 0 for the others */
-    double error;      /* the oracle's */
-    double time_scale; /* the oracle's */
+    double epsilon;     /* 0 for the guarantee absolute */
+    double delta;       /* 0 for the others */
+    double error;       /* the oracle's */
+    double time_scale;  /* the oracle's */
     double first_lower; /* T(0), rounded down */
     tdsp_status last_reason;
     tdsp_build_world world;

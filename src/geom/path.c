@@ -61,8 +61,10 @@ tdsp_status tdsp_path_position(const tdsp_leg *legs, size_t count, double time, 
     size_t high = count;
     while (high - low > 1) {
         size_t middle = low + (high - low) / 2;
-        if (legs[middle].start_time <= time) low = middle;
-        else high = middle;
+        if (legs[middle].start_time <= time)
+            low = middle;
+        else
+            high = middle;
     }
     *out = tdsp_leg_position(&legs[low], time);
     return TDSP_OK;

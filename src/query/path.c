@@ -67,7 +67,8 @@ tdsp_status tdsp_table_path(const tdsp_table *table, double departure, tdsp_leg 
     if (status != TDSP_OK) return status;
     *count = (size_t)path.stored.legs;
     if (*count > capacity) return TDSP_BUFFER_TOO_SMALL;
-    for (size_t i = 0; i < *count; i++) legs[i] = path_leg(table, &path, i);
+    for (size_t i = 0; i < *count; i++)
+        legs[i] = path_leg(table, &path, i);
     return TDSP_OK;
 }
 
@@ -83,8 +84,10 @@ tdsp_status tdsp_table_position(const tdsp_table *table, double departure, doubl
     uint64_t high = path.stored.legs;
     while (high - low > 1) {
         uint64_t middle = low + (high - low) / 2;
-        if (path_moved(&path, table_path_time(table, path.stored, middle)) <= time) low = middle;
-        else high = middle;
+        if (path_moved(&path, table_path_time(table, path.stored, middle)) <= time)
+            low = middle;
+        else
+            high = middle;
     }
     tdsp_leg leg = path_leg(table, &path, low);
     *out = tdsp_leg_position(&leg, time);

@@ -29,7 +29,8 @@ static int check_arcs(const tdsp_table *table)
     for (uint64_t i = 0; i < table->arc_count; i++) {
         const unsigned char *arc = table->bytes + table->arcs + FORMAT_ARC_SIZE * i;
         if (!check_finite(arc, FORMAT_ARC_SIZE / 8)) return 0;
-        if (!(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_FROM) > 0) || !(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_TO) > 0)) return 0;
+        if (!(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_FROM) > 0) || !(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_TO) > 0))
+            return 0;
     }
     return 1;
 }

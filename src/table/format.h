@@ -14,39 +14,39 @@
 #define FORMAT_HEADER_LENGTH 296 /* of version 1.0; later minor versions may have more */
 
 /* Places in the header. */
-#define FORMAT_AT_MAJOR 8           /* u16 */
-#define FORMAT_AT_MINOR 10          /* u16 */
-#define FORMAT_AT_HEADER_LENGTH 12  /* u32 */
-#define FORMAT_AT_LENGTH 16         /* u64 */
-#define FORMAT_AT_BODY_CRC 24       /* u32, CRC-32C of everything after the header */
-#define FORMAT_AT_HEADER_CRC 28     /* u32, CRC-32C of the header without these four bytes */
+#define FORMAT_AT_MAJOR 8          /* u16 */
+#define FORMAT_AT_MINOR 10         /* u16 */
+#define FORMAT_AT_HEADER_LENGTH 12 /* u32 */
+#define FORMAT_AT_LENGTH 16        /* u64 */
+#define FORMAT_AT_BODY_CRC 24      /* u32, CRC-32C of everything after the header */
+#define FORMAT_AT_HEADER_CRC 28    /* u32, CRC-32C of the header without these four bytes */
 #define FORMAT_AFTER_HEADER_CRC 32
-#define FORMAT_AT_MONOTONE 32       /* u32 */
-#define FORMAT_AT_GUARANTEE 36      /* u32 */
-#define FORMAT_AT_SAMPLING 40       /* u32 */
-#define FORMAT_AT_LAST_REASON 44    /* u32 */
-#define FORMAT_AT_SCENE_HASH 48     /* u64 */
-#define FORMAT_AT_EPSILON 56        /* f64, as all down to the units */
+#define FORMAT_AT_MONOTONE 32    /* u32 */
+#define FORMAT_AT_GUARANTEE 36   /* u32 */
+#define FORMAT_AT_SAMPLING 40    /* u32 */
+#define FORMAT_AT_LAST_REASON 44 /* u32 */
+#define FORMAT_AT_SCENE_HASH 48  /* u64 */
+#define FORMAT_AT_EPSILON 56     /* f64, as all down to the units */
 #define FORMAT_AT_DELTA 64
 #define FORMAT_AT_ERROR 72
 #define FORMAT_AT_TIME_SCALE 80
 #define FORMAT_AT_SPEED 88
-#define FORMAT_AT_SOURCE 96         /* x, y */
-#define FORMAT_AT_DESTINATION 112   /* x, y */
+#define FORMAT_AT_SOURCE 96       /* x, y */
+#define FORMAT_AT_DESTINATION 112 /* x, y */
 #define FORMAT_AT_FIRST_DEPARTURE 128
 #define FORMAT_AT_FIRST_LOWER 136
 #define FORMAT_AT_LAST_DEPARTURE 144
-#define FORMAT_AT_LENGTH_UNIT 152   /* 16 bytes of text */
-#define FORMAT_AT_TIME_UNIT 168     /* 16 bytes of text */
+#define FORMAT_AT_LENGTH_UNIT 152 /* 16 bytes of text */
+#define FORMAT_AT_TIME_UNIT 168   /* 16 bytes of text */
 #define FORMAT_UNIT_SIZE 16
-#define FORMAT_AT_ROWS 184          /* u64, as all down to the offsets */
+#define FORMAT_AT_ROWS 184 /* u64, as all down to the offsets */
 #define FORMAT_AT_LEGS 192
 #define FORMAT_AT_WAYPOINTS 200
 #define FORMAT_AT_ARCS 208
 #define FORMAT_AT_OPAQUE_LENGTH 216
-#define FORMAT_AT_OFFSETS 224       /* u64 for each section, in the order below */
-#define FORMAT_AT_JOINT 288         /* u32 */
-#define FORMAT_AT_RESERVED 292      /* u32, 0 */
+#define FORMAT_AT_OFFSETS 224  /* u64 for each section, in the order below */
+#define FORMAT_AT_JOINT 288    /* u32 */
+#define FORMAT_AT_RESERVED 292 /* u32, 0 */
 
 /* The sections, in order. */
 enum {
@@ -63,12 +63,12 @@ enum {
 
 /* A waypoint: a moment and a place on a path, and how the path goes on from there. */
 #define FORMAT_WAYPOINT_SIZE 32
-#define FORMAT_WAYPOINT_AT_TIME 0 /* f64 */
-#define FORMAT_WAYPOINT_AT_X 8    /* f64 */
-#define FORMAT_WAYPOINT_AT_Y 16   /* f64 */
+#define FORMAT_WAYPOINT_AT_TIME 0  /* f64 */
+#define FORMAT_WAYPOINT_AT_X 8     /* f64 */
+#define FORMAT_WAYPOINT_AT_Y 16    /* f64 */
 #define FORMAT_WAYPOINT_AT_DISC 24 /* u32 */
-#define FORMAT_WAYPOINT_AT_ARC 28 /* u32 */
-#define FORMAT_NONE 0xffffffffu   /* no disc, no arc */
+#define FORMAT_WAYPOINT_AT_ARC 28  /* u32 */
+#define FORMAT_NONE 0xffffffffu    /* no disc, no arc */
 
 /* An arc: what a leg on a disc has besides its ends. */
 #define FORMAT_ARC_SIZE 48

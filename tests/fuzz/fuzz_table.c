@@ -26,7 +26,8 @@ static void fuzz_require(const char *wrong)
 static void fuzz_change_later(const tdsp_table *table, unsigned char *bytes, size_t size)
 {
     unsigned char step = (unsigned char)(bytes[size - 1] | 1);
-    for (size_t i = 0; i < size; i += 1 + step % 13) bytes[i] = (unsigned char)(bytes[i] * 31 + step);
+    for (size_t i = 0; i < size; i += 1 + step % 13)
+        bytes[i] = (unsigned char)(bytes[i] * 31 + step);
     (void)walk_table(table);
 }
 

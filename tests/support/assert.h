@@ -9,13 +9,11 @@
 #include <math.h>
 #include <string.h>
 
-static inline void assert_near_at(double actual, double expected, double tolerance, const char *text, const char *file,
-                                  int line)
+static inline void assert_near_at(double actual, double expected, double tolerance, const char *text, const char *file, int line)
 {
     int equal_infinity = isinf(expected) && actual == expected;
     if (equal_infinity || fabs(actual - expected) <= tolerance) return;
-    print_error("%s: %.17g is not within %.3g of %.17g (off by %.3g)\n", text, actual, tolerance, expected,
-                actual - expected);
+    print_error("%s: %.17g is not within %.3g of %.17g (off by %.3g)\n", text, actual, tolerance, expected, actual - expected);
     _fail(file, line);
 }
 
@@ -27,8 +25,7 @@ static inline void assert_exact_at(double actual, double expected, const char *t
 }
 
 /* |actual - expected| <= tolerance; infinities match themselves, NaN matches nothing. */
-#define assert_near(actual, expected, tolerance) \
-    assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
+#define assert_near(actual, expected, tolerance) assert_near_at((actual), (expected), (tolerance), #actual, __FILE__, __LINE__)
 
 /* The same double to the bit: -0 is not 0, a NaN is the same NaN. */
 #define assert_exact(actual, expected) assert_exact_at((actual), (expected), #actual, __FILE__, __LINE__)

@@ -29,7 +29,8 @@ static const char *walk_path(const tdsp_table *table, double departure, double u
         if (!(leg.start_time >= before && leg.start_time <= leg.end_time)) return "a path runs backwards";
         if (!(leg.start_time >= departure && leg.end_time <= upper)) return "a path outside its certified interval";
         before = leg.end_time;
-        if (tdsp_table_position(table, departure, leg.start_time + (leg.end_time - leg.start_time) / 3, &at) != TDSP_OK) return "no position";
+        if (tdsp_table_position(table, departure, leg.start_time + (leg.end_time - leg.start_time) / 3, &at) != TDSP_OK)
+            return "no position";
     }
     if (tdsp_table_leg(table, departure, legs, &leg) == TDSP_OK) return "a leg too many";
     if (legs > 0 && tdsp_table_position(table, departure, upper + 1, &at) != TDSP_OK) return "no position after the path";
@@ -56,7 +57,8 @@ static unsigned walk_bytes(const tdsp_table *table, uint64_t row)
     size_t length;
     unsigned sum = 0;
     if (tdsp_table_row_bytes(table, row, &bytes, &length) != TDSP_OK) return 0;
-    for (size_t i = 0; i < length; i++) sum += ((const unsigned char *)bytes)[i];
+    for (size_t i = 0; i < length; i++)
+        sum += ((const unsigned char *)bytes)[i];
     return sum;
 }
 
@@ -67,7 +69,8 @@ static const char *walk_row(const tdsp_table *table, uint64_t row)
     tdsp_jump jump;
     size_t count;
     if (tdsp_table_row(table, row, &stored) != TDSP_OK) return "a row is missing";
-    for (uint64_t i = 0; i <= stored.legs && i < WALK_LEGS; i++) (void)tdsp_table_row_leg(table, row, i, &legs[0]);
+    for (uint64_t i = 0; i <= stored.legs && i < WALK_LEGS; i++)
+        (void)tdsp_table_row_leg(table, row, i, &legs[0]);
     (void)tdsp_table_path(table, stored.departure, legs, 4, &count);
     (void)tdsp_table_next_jump(table, stored.departure, &jump);
     (void)tdsp_table_previous_jump(table, stored.departure, &jump);
@@ -85,7 +88,8 @@ const char *walk_table(const tdsp_table *table)
     tdsp_table_info info;
     const char *wrong = NULL;
     if (tdsp_table_get_info(table, &info) != TDSP_OK) return "no info";
-    for (uint64_t row = 0; row < info.rows && !wrong; row += 1 + info.rows / WALK_ROWS) wrong = walk_row(table, row);
+    for (uint64_t row = 0; row < info.rows && !wrong; row += 1 + info.rows / WALK_ROWS)
+        wrong = walk_row(table, row);
     for (size_t i = 0; i < sizeof far / sizeof far[0] && !wrong; i++) {
         wrong = walk_arrival(table, far[i]);
         if (!wrong) wrong = walk_departure(table, far[i]);

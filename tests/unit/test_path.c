@@ -115,7 +115,8 @@ static void nearly_equal_radii_lose_no_accuracy(void **state)
 static void no_valid_arc_gives_a_position_that_is_not_a_number(void **state)
 {
     (void)state;
-    const double radii[] = {4.9406564584124654e-324, 1e-310, DBL_MIN, 1e-200, 1e-8, 1, 1 + DBL_EPSILON, 1 + 1e-8, 1 + 1.1e-8, 2, 1e150, 1e300};
+    const double radii[] = {4.9406564584124654e-324, 1e-310,   DBL_MIN,    1e-200, 1e-8,  1,
+                            1 + DBL_EPSILON,         1 + 1e-8, 1 + 1.1e-8, 2,      1e150, 1e300};
     const size_t count = sizeof radii / sizeof radii[0];
     for (size_t i = 0; i < count; i++) {
         for (size_t j = 0; j < count; j++) {
@@ -156,7 +157,8 @@ static void a_shifted_leg_is_at_the_same_place_later(void **state)
     tdsp_leg late = tdsp_leg_shifted(&leg, 8);
     assert_exact(late.start_time, 9.0);
     assert_exact(late.end_time, 11.0);
-    for (double t = 1; t <= 3; t += 0.125) assert_same_place(tdsp_leg_position(&late, t + 8), tdsp_leg_position(&leg, t));
+    for (double t = 1; t <= 3; t += 0.125)
+        assert_same_place(tdsp_leg_position(&late, t + 8), tdsp_leg_position(&leg, t));
 }
 
 /* A chain of random lines and arcs, each starting where the one before ends. */

@@ -155,8 +155,10 @@ static void the_row_found_is_that_of_a_scan(void **state)
             size_t expected = sample_scan_row(&s, t);
             uint64_t row;
             tdsp_status status = tdsp_table_find(&s.table, t, &row);
-            if (expected == s.count) assert_int_equal(status, round % 3 ? TDSP_HORIZON : TDSP_CUT_OFF);
-            else assert_true(status == TDSP_OK && row == expected);
+            if (expected == s.count)
+                assert_int_equal(status, round % 3 ? TDSP_HORIZON : TDSP_CUT_OFF);
+            else
+                assert_true(status == TDSP_OK && row == expected);
         }
         sample_free(&s);
     }
@@ -186,7 +188,8 @@ static void intervals_are_the_tightest_doubles_around_the_definition(void **stat
     uint64_t chance = 12;
     for (int round = 0; round < 600; round++) {
         sample s = sample_random(&chance, 1 + (size_t)chance_below(&chance, 70), round % 2, round % 3);
-        for (int i = 0; i < 100; i++) check_interval_against_scan(&s, sample_departure(&chance, &s));
+        for (int i = 0; i < 100; i++)
+            check_interval_against_scan(&s, sample_departure(&chance, &s));
         sample_free(&s);
     }
 }
@@ -197,7 +200,9 @@ static double scan_safe(const sample *s, double a)
     double best = -1;
     for (size_t i = 0; i < s->count; i++) {
         const writer_row *row = &s->rows[i];
-        double t = s->travel ? round_subtract_down(a, row->left) : compare_sum(row->departure, row->left, a) <= 0 ? row->departure : -1;
+        double t = s->travel                                        ? round_subtract_down(a, row->left)
+                   : compare_sum(row->departure, row->left, a) <= 0 ? row->departure
+                                                                    : -1;
         if (t > row->departure) t = row->departure;
         if (i > 0 ? t <= s->rows[i - 1].departure : t < 0) continue;
         if (t > best) best = t;
@@ -282,7 +287,8 @@ static void both_directions_agree(void **state)
     uint64_t chance = 15;
     for (int round = 0; round < 600; round++) {
         sample s = sample_random(&chance, 1 + (size_t)chance_below(&chance, 70), round % 2, round % 3);
-        for (int i = 0; i < 100; i++) check_duality(&chance, &s, sample_arrival(&chance, &s));
+        for (int i = 0; i < 100; i++)
+            check_duality(&chance, &s, sample_arrival(&chance, &s));
         sample_free(&s);
     }
 }
@@ -315,7 +321,8 @@ static void looking_up_many_at_once_is_looking_up_each(void **state)
     double t[64], low[64], high[64], l, u;
     tdsp_status statuses[64];
     sample s = sample_random(&chance, 50, 1, 0);
-    for (int i = 0; i < 64; i++) t[i] = sample_departure(&chance, &s);
+    for (int i = 0; i < 64; i++)
+        t[i] = sample_departure(&chance, &s);
     t[3] = NAN, t[4] = -1, t[5] = INFINITY;
     assert_int_equal(tdsp_table_arrivals(&s.table, t, 64, low, high, statuses), TDSP_OK);
     for (int i = 0; i < 64; i++) {
@@ -324,7 +331,8 @@ static void looking_up_many_at_once_is_looking_up_each(void **state)
         assert_exact(low[i], l);
         assert_exact(high[i], u);
     }
-    for (int i = 6; i < 64; i++) t[i] = sample_arrival(&chance, &s);
+    for (int i = 6; i < 64; i++)
+        t[i] = sample_arrival(&chance, &s);
     assert_int_equal(tdsp_table_departures(&s.table, t, 64, low, high, statuses), TDSP_OK);
     for (int i = 0; i < 64; i++) {
         l = u = -INFINITY;

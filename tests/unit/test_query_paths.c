@@ -57,8 +57,10 @@ static void opaque_bytes_come_out_as_they_went_in(void **state)
             size_t length;
             assert_int_equal(tdsp_table_row_bytes(&s.table, row, &bytes, &length), TDSP_OK);
             assert_int_equal(length, s.rows[row].byte_count);
-            if (length == 0) assert_null(bytes);
-            else assert_memory_equal(bytes, s.rows[row].bytes, length);
+            if (length == 0)
+                assert_null(bytes);
+            else
+                assert_memory_equal(bytes, s.rows[row].bytes, length);
         }
         sample_free(&s);
     }
@@ -204,8 +206,8 @@ static void neither_the_end_nor_what_the_stated_error_explains_is_a_jump(void **
         double error;
         double rise;
         tdsp_status expected;
-    } cases[] = {{0, 0, TDSP_NO_ANSWER},       {0, 1e-11, TDSP_NO_ANSWER},  {0, 3e-11, TDSP_OK},
-                 {1e-3, 0.0799, TDSP_NO_ANSWER}, {1e-3, 0.0801, TDSP_OK}, {1e-3, 0.5, TDSP_OK}};
+    } cases[] = {{0, 0, TDSP_NO_ANSWER},         {0, 1e-11, TDSP_NO_ANSWER}, {0, 3e-11, TDSP_OK},
+                 {1e-3, 0.0799, TDSP_NO_ANSWER}, {1e-3, 0.0801, TDSP_OK},    {1e-3, 0.5, TDSP_OK}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         size_t length;
         tdsp_table table;

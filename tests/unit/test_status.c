@@ -53,7 +53,8 @@ static void each_status_keeps_its_value_and_its_name(void **state)
 static void only_the_family_of_answers_is_an_answer(void **state)
 {
     (void)state;
-    for (size_t i = 0; i < KNOWN; i++) assert_int_equal(tdsp_status_is_answer(known[i].status), known[i].value < 16);
+    for (size_t i = 0; i < KNOWN; i++)
+        assert_int_equal(tdsp_status_is_answer(known[i].status), known[i].value < 16);
     assert_false(tdsp_status_is_answer((tdsp_status)-1));
 }
 
@@ -64,7 +65,8 @@ static void each_text_is_one_sentence_of_its_own_without_a_full_stop(void **stat
         const char *text = tdsp_status_text(known[i].status);
         assert_true(isupper((unsigned char)text[0]));
         assert_int_not_equal(text[strlen(text) - 1], '.');
-        for (size_t j = 0; j < i; j++) assert_string_not_equal(text, tdsp_status_text(known[j].status));
+        for (size_t j = 0; j < i; j++)
+            assert_string_not_equal(text, tdsp_status_text(known[j].status));
     }
 }
 

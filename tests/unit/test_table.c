@@ -186,39 +186,40 @@ static void put_fault(unsigned char *bytes, header_fault fault)
     if (fault.type == 'd') bytes_put_f64(bytes + fault.at, fault.value);
 }
 
+static const header_fault header_faults[] = {
+    {FORMAT_AT_HEADER_LENGTH, 'i', 288}, {FORMAT_AT_HEADER_LENGTH, 'i', 304}, {FORMAT_AT_HEADER_LENGTH, 'i', 4294967288.0},
+    {FORMAT_AT_MONOTONE, 'i', 2},        {FORMAT_AT_GUARANTEE, 'i', 3},       {FORMAT_AT_SAMPLING, 'i', 2},
+    {FORMAT_AT_SAMPLING, 'i', 1},        {FORMAT_AT_MONOTONE, 'i', 1},        {FORMAT_AT_LAST_REASON, 'i', 0},
+    {FORMAT_AT_LAST_REASON, 'i', 4},     {FORMAT_AT_LAST_REASON, 'i', 8},     {FORMAT_AT_LAST_REASON, 'i', 5},
+    {FORMAT_AT_EPSILON, 'd', 0},         {FORMAT_AT_EPSILON, 'd', -1},        {FORMAT_AT_EPSILON, 'd', INFINITY},
+    {FORMAT_AT_EPSILON, 'd', NAN},       {FORMAT_AT_DELTA, 'd', 1},           {FORMAT_AT_GUARANTEE, 'i', 2},
+    {FORMAT_AT_ERROR, 'd', -1},          {FORMAT_AT_ERROR, 'd', NAN},         {FORMAT_AT_TIME_SCALE, 'd', INFINITY},
+    {FORMAT_AT_TIME_SCALE, 'd', -1e-300}, {FORMAT_AT_SPEED, 'd', -1},         {FORMAT_AT_SPEED, 'd', NAN},
+    {FORMAT_AT_SOURCE, 'd', NAN},        {FORMAT_AT_SOURCE + 8, 'd', INFINITY}, {FORMAT_AT_DESTINATION, 'd', -INFINITY},
+    {FORMAT_AT_DESTINATION + 8, 'd', NAN}, {FORMAT_AT_FIRST_DEPARTURE, 'd', 1}, {FORMAT_AT_FIRST_LOWER, 'd', 20.5},
+    {FORMAT_AT_FIRST_LOWER, 'd', -1},    {FORMAT_AT_FIRST_LOWER, 'd', NAN},   {FORMAT_AT_LAST_DEPARTURE, 'd', 12},
+    {FORMAT_AT_ROWS, 'q', 0},            {FORMAT_AT_ROWS, 'q', 3},            {FORMAT_AT_ROWS, 'q', 5},
+    {FORMAT_AT_ROWS, 'q', 2305843009213693952.0}, {FORMAT_AT_ROWS, 'q', 18446744073709549568.0}, {FORMAT_AT_LEGS, 'q', 8},
+    {FORMAT_AT_WAYPOINTS, 'q', 0},       {FORMAT_AT_WAYPOINTS, 'q', 12},      {FORMAT_AT_WAYPOINTS, 'q', 576460752303423488.0},
+    {FORMAT_AT_ARCS, 'q', 2},            {FORMAT_AT_ARCS, 'q', 4},            {FORMAT_AT_ARCS, 'q', 9223372036854775808.0},
+    {FORMAT_AT_OPAQUE_LENGTH, 'q', 1},   {FORMAT_AT_OPAQUE_LENGTH, 'q', 18446744073709549568.0}, {FORMAT_AT_OFFSETS, 'q', 304},
+    {FORMAT_AT_OFFSETS, 'q', 0},         {FORMAT_AT_OFFSETS + 56, 'q', 8},    {FORMAT_AT_OFFSETS + 32, 'q', 18446744073709549568.0},
+    {FORMAT_AT_JOINT, 'i', 0},           {FORMAT_AT_JOINT, 'i', 2},           {FORMAT_AT_JOINT, 'i', 3},
+    {FORMAT_AT_RESERVED, 'i', 1},        {FORMAT_AT_ROWS, 'm', 0},            {FORMAT_AT_ROWS, 'm', 1},
+    {FORMAT_AT_WAYPOINTS, 'm', 0},       {FORMAT_AT_ARCS, 'm', 0},            {FORMAT_AT_OPAQUE_LENGTH, 'm', 0},
+    {FORMAT_AT_OPAQUE_LENGTH, 'm', 900}, {FORMAT_AT_OPAQUE_LENGTH, 'm', 983}, {FORMAT_AT_OFFSETS + 56, 'm', 7},
+};
+
 static void each_value_of_the_header_out_of_its_range_is_refused(void **state)
 {
     (void)state;
-    const header_fault faults[] = {
-        {FORMAT_AT_HEADER_LENGTH, 'i', 288}, {FORMAT_AT_HEADER_LENGTH, 'i', 304}, {FORMAT_AT_HEADER_LENGTH, 'i', 4294967288.0},
-        {FORMAT_AT_MONOTONE, 'i', 2},        {FORMAT_AT_GUARANTEE, 'i', 3},       {FORMAT_AT_SAMPLING, 'i', 2},
-        {FORMAT_AT_SAMPLING, 'i', 1},        {FORMAT_AT_MONOTONE, 'i', 1},        {FORMAT_AT_LAST_REASON, 'i', 0},
-        {FORMAT_AT_LAST_REASON, 'i', 4},     {FORMAT_AT_LAST_REASON, 'i', 8},     {FORMAT_AT_LAST_REASON, 'i', 5},
-        {FORMAT_AT_EPSILON, 'd', 0},         {FORMAT_AT_EPSILON, 'd', -1},        {FORMAT_AT_EPSILON, 'd', INFINITY},
-        {FORMAT_AT_EPSILON, 'd', NAN},       {FORMAT_AT_DELTA, 'd', 1},           {FORMAT_AT_GUARANTEE, 'i', 2},
-        {FORMAT_AT_ERROR, 'd', -1},          {FORMAT_AT_ERROR, 'd', NAN},         {FORMAT_AT_TIME_SCALE, 'd', INFINITY},
-        {FORMAT_AT_TIME_SCALE, 'd', -1e-300}, {FORMAT_AT_SPEED, 'd', -1},         {FORMAT_AT_SPEED, 'd', NAN},
-        {FORMAT_AT_SOURCE, 'd', NAN},        {FORMAT_AT_SOURCE + 8, 'd', INFINITY}, {FORMAT_AT_DESTINATION, 'd', -INFINITY},
-        {FORMAT_AT_DESTINATION + 8, 'd', NAN}, {FORMAT_AT_FIRST_DEPARTURE, 'd', 1}, {FORMAT_AT_FIRST_LOWER, 'd', 20.5},
-        {FORMAT_AT_FIRST_LOWER, 'd', -1},    {FORMAT_AT_FIRST_LOWER, 'd', NAN},   {FORMAT_AT_LAST_DEPARTURE, 'd', 12},
-        {FORMAT_AT_ROWS, 'q', 0},            {FORMAT_AT_ROWS, 'q', 3},            {FORMAT_AT_ROWS, 'q', 5},
-        {FORMAT_AT_ROWS, 'q', 2305843009213693952.0}, {FORMAT_AT_ROWS, 'q', 18446744073709549568.0}, {FORMAT_AT_LEGS, 'q', 8},
-        {FORMAT_AT_WAYPOINTS, 'q', 0},       {FORMAT_AT_WAYPOINTS, 'q', 12},      {FORMAT_AT_WAYPOINTS, 'q', 576460752303423488.0},
-        {FORMAT_AT_ARCS, 'q', 2},            {FORMAT_AT_ARCS, 'q', 4},            {FORMAT_AT_ARCS, 'q', 9223372036854775808.0},
-        {FORMAT_AT_OPAQUE_LENGTH, 'q', 1},   {FORMAT_AT_OPAQUE_LENGTH, 'q', 18446744073709549568.0}, {FORMAT_AT_OFFSETS, 'q', 304},
-        {FORMAT_AT_OFFSETS, 'q', 0},         {FORMAT_AT_OFFSETS + 56, 'q', 8},    {FORMAT_AT_OFFSETS + 32, 'q', 18446744073709549568.0},
-        {FORMAT_AT_JOINT, 'i', 0},           {FORMAT_AT_JOINT, 'i', 2},           {FORMAT_AT_JOINT, 'i', 3},
-        {FORMAT_AT_RESERVED, 'i', 1},        {FORMAT_AT_ROWS, 'm', 0},            {FORMAT_AT_ROWS, 'm', 1},
-        {FORMAT_AT_WAYPOINTS, 'm', 0},       {FORMAT_AT_ARCS, 'm', 0},            {FORMAT_AT_OPAQUE_LENGTH, 'm', 0},
-        {FORMAT_AT_OPAQUE_LENGTH, 'm', 900}, {FORMAT_AT_OPAQUE_LENGTH, 'm', 983}, {FORMAT_AT_OFFSETS + 56, 'm', 7},
-    };
-    for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
+    for (size_t i = 0; i < sizeof header_faults / sizeof header_faults[0]; i++) {
         size_t length;
         unsigned char *bytes = golden_bytes(0, &length);
         tdsp_table table;
-        put_fault(bytes, faults[i]);
+        put_fault(bytes, header_faults[i]);
         golden_seal(bytes, length);
-        if (tdsp_table_open(&table, bytes, length) != TDSP_BAD_TABLE) fail_msg("fault %zu (offset %zu) was not refused", i, faults[i].at);
+        if (tdsp_table_open(&table, bytes, length) != TDSP_BAD_TABLE) fail_msg("fault %zu (offset %zu) was not refused", i, header_faults[i].at);
         free(bytes);
     }
 }

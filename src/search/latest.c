@@ -139,10 +139,10 @@ static tdsp_status latest_gap_leads_on(latest_state *state, const gap_event *eve
 static tdsp_status latest_try_gap(latest_state *state, const gap_event *event)
 {
     int leads = 0;
-    double departure = event->departure * state->solver->scene->time - latest_slack(state, STEP_BACK);
+    double departure = event->departure * state->solver->scene->time;
     if (departure >= state->too_late) return TDSP_OK;
     tdsp_status status = latest_gap_leads_on(state, event, &leads);
-    if (leads && latest_try(state, departure, &status)) state->gap = event;
+    if (leads && latest_try_solved(state, departure, &status)) state->gap = event;
     return status;
 }
 

@@ -27,8 +27,7 @@ static void wanted_clear(Wanted *wanted)
 {
     char *texts[] = {wanted->guarantee, wanted->sampling, wanted->epsilon, wanted->delta,
                      wanted->horizon,   wanted->threads,  wanted->output};
-    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++)
-        g_free(texts[i]);
+    for (gsize i = 0; i < G_N_ELEMENTS(texts); i++) g_free(texts[i]);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Wanted, wanted_clear)
 
@@ -125,8 +124,7 @@ static gboolean fail_build(const Wanted *wanted, tdsp_status status, GError **er
                         isinf(wanted->options.horizon) ? "" : ", or a nearer --horizon");
     case TDSP_NOT_SUPPORTED:
         return cli_fail(error, CLI_USAGE, "--sampling geometric needs a journey that takes time: source and destination are one");
-    default:
-        return cli_fail_status(error, "build", status);
+    default: return cli_fail_status(error, "build", status);
     }
 }
 

@@ -76,8 +76,7 @@ static void write_scene(JsonOut *out, const char *name, const Generated *scene)
     json_out_line(out);
     json_out_key(out, "discs");
     json_out_begin(out, '[');
-    for (guint i = 0; i < scene->discs->len; i++)
-        write_disc(out, &g_array_index(scene->discs, tdsp_disc, i));
+    for (guint i = 0; i < scene->discs->len; i++) write_disc(out, &g_array_index(scene->discs, tdsp_disc, i));
     json_out_end(out, ']');
     json_out_end(out, '}');
 }

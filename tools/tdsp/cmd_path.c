@@ -80,8 +80,7 @@ static gboolean print_text(const Path *path, GError **error)
     if (path->from_table && path->status == TDSP_OK)
         g_string_append_printf(text, "# row %" G_GUINT64_FORMAT ", computed for departure %s\n", path->row.row,
                                number_format(departure, path->row.computed_for));
-    for (guint i = 0; i < path->legs->len; i++)
-        table_leg(&table, &g_array_index(path->legs, tdsp_leg, i));
+    for (guint i = 0; i < path->legs->len; i++) table_leg(&table, &g_array_index(path->legs, tdsp_leg, i));
     text_table_append(&table, text);
     return cli_print(text, error);
 }

@@ -17,8 +17,7 @@ static gboolean read_stream(FILE *stream, GString *into)
 {
     char block[65536];
     gsize got;
-    while ((got = fread(block, 1, sizeof block, stream)) > 0)
-        g_string_append_len(into, block, (gssize)got);
+    while ((got = fread(block, 1, sizeof block, stream)) > 0) g_string_append_len(into, block, (gssize)got);
     return !ferror(stream);
 }
 

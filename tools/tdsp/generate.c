@@ -120,8 +120,7 @@ static void lay_out(Rng *rng, GArray *radii, double gap, double room, Generated 
     layout.heads = g_new(gint32, (gsize)layout.side * (gsize)layout.side);
     memset(layout.heads, 0xff, (gsize)layout.side * (gsize)layout.side * sizeof *layout.heads);
     layout.next = g_array_new(FALSE, FALSE, sizeof(gint32));
-    for (guint i = 0; i < radii->len; i++)
-        place(&layout, g_array_index(radii, double, i));
+    for (guint i = 0; i < radii->len; i++) place(&layout, g_array_index(radii, double, i));
     g_free(layout.heads);
     g_array_unref(layout.next);
     shuffle(rng, out->discs);
@@ -232,8 +231,7 @@ static Gaps choose_gaps(Rng *rng, guint column, guint discs)
     guint high = MAX(column % 2 == 1 ? discs * 95 / 100 : discs * 45 / 100, low + gaps.count);
     for (guint i = 0; i < gaps.count; i++) {
         guint before;
-        do
-            before = low + (guint)rng_below(rng, high - low);
+        do before = low + (guint)rng_below(rng, high - low);
         while (contains(gaps.before, i, before));
         insert_ascending(gaps.before, i, before);
         gaps.width[i] = rng_uniform(rng, 0.8, 3.0);
@@ -281,7 +279,6 @@ const GenerateKind *generate_kind(const char *name)
 char *generate_kinds(void)
 {
     GString *names = g_string_new(NULL);
-    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++)
-        g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
     return g_string_free(names, FALSE);
 }

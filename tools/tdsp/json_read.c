@@ -9,8 +9,7 @@
 
 static const char *place_file(const JsonPlace *place)
 {
-    while (place->above)
-        place = place->above;
+    while (place->above) place = place->above;
     return place->file;
 }
 
@@ -18,8 +17,7 @@ static const char *place_file(const JsonPlace *place)
 static void place_append(const JsonPlace *place, gboolean generic, GString *into)
 {
     GPtrArray *chain = g_ptr_array_new();
-    for (const JsonPlace *at = place; at->above; at = at->above)
-        g_ptr_array_add(chain, (gpointer)at);
+    for (const JsonPlace *at = place; at->above; at = at->above) g_ptr_array_add(chain, (gpointer)at);
     for (guint i = chain->len; i-- > 0;) {
         const JsonPlace *at = g_ptr_array_index(chain, i);
         if (at->member)
@@ -63,12 +61,9 @@ static const char *type_of(JsonNode *node)
     if (JSON_NODE_HOLDS_ARRAY(node)) return "an array";
     if (JSON_NODE_HOLDS_NULL(node)) return "null";
     switch (json_node_get_value_type(node)) {
-    case G_TYPE_STRING:
-        return "a string";
-    case G_TYPE_BOOLEAN:
-        return "true or false";
-    default:
-        return "a number";
+    case G_TYPE_STRING: return "a string";
+    case G_TYPE_BOOLEAN: return "true or false";
+    default: return "a number";
     }
 }
 

@@ -106,8 +106,7 @@ static gboolean scan_string(Scan *scan)
 
 static const char *digits_from(const char *at)
 {
-    while (g_ascii_isdigit(*at))
-        at++;
+    while (g_ascii_isdigit(*at)) at++;
     return at;
 }
 
@@ -147,8 +146,7 @@ static gboolean scan_word(Scan *scan)
     static const char *const words[] = {"true", "false", "null"};
     const char *start = scan->at;
     gsize length = 0;
-    while (g_ascii_isalnum(start[length]))
-        length++;
+    while (g_ascii_isalnum(start[length])) length++;
     for (gsize i = 0; i < G_N_ELEMENTS(words); i++) {
         if (length != strlen(words[i]) || strncmp(start, words[i], length) != 0) continue;
         scan->at += length;
@@ -266,7 +264,6 @@ GString *json_scan(const char *file, const char *text, gsize length, GError **er
     }
     g_string_free(scan.string, TRUE);
     g_free(scan.detail);
-    for (gsize i = 0; i < G_N_ELEMENTS(scan.keys); i++)
-        g_clear_pointer(&scan.keys[i], g_hash_table_unref);
+    for (gsize i = 0; i < G_N_ELEMENTS(scan.keys); i++) g_clear_pointer(&scan.keys[i], g_hash_table_unref);
     return scan.out;
 }

@@ -23,8 +23,7 @@ const char *number_format(char buffer[NUMBER_ROOM], double value)
 
 static const char *skip_digits(const char *text)
 {
-    while (g_ascii_isdigit(*text))
-        text++;
+    while (g_ascii_isdigit(*text)) text++;
     return text;
 }
 

@@ -190,8 +190,7 @@ static void add_obstacles(const Curve *curve, Labels *labels)
         double upper;
         if (tdsp_table_arrival(curve->table, departure, NULL, &upper) != TDSP_OK) continue;
         double now = frame_y(frame, upper - departure);
-        for (double y = before; y > now; y -= OBSTACLE_EVERY)
-            labels_add_obstacle(labels, x, y);
+        for (double y = before; y > now; y -= OBSTACLE_EVERY) labels_add_obstacle(labels, x, y);
         labels_add_obstacle(labels, x, now);
         before = now;
     }

@@ -76,8 +76,7 @@ void plot_route_draw(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsiz
     stroke(cr, 2.4, PLOT_PATH);
     cairo_new_path(cr);
     cairo_set_line_cap(cr, CAIRO_LINE_CAP_BUTT);
-    for (gsize i = 0; i < count; i++)
-        add_obstacles(frame, &legs[i], labels);
+    for (gsize i = 0; i < count; i++) add_obstacles(frame, &legs[i], labels);
 }
 
 void plot_route_ridden(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsize count)

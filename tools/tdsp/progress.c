@@ -51,8 +51,7 @@ static void draw(Progress *progress, double share, double elapsed)
     g_autoptr(GString) line = g_string_new(clear_line);
     int full = (int)(share * BAR_WIDTH);
     g_string_append_printf(line, "%s [", progress->what);
-    for (int i = 0; i < BAR_WIDTH; i++)
-        g_string_append_c(line, i < full ? '#' : '.');
+    for (int i = 0; i < BAR_WIDTH; i++) g_string_append_c(line, i < full ? '#' : '.');
     g_string_append_printf(line, "] %3d %%", (int)(share * 100));
     append_remaining(line, share, elapsed);
     fputs(line->str, stderr);

@@ -39,8 +39,7 @@ static glong width_of(const TextTable *table, guint column)
 void text_table_append(const TextTable *table, GString *into)
 {
     g_autofree glong *widths = g_new(glong, table->columns);
-    for (guint i = 0; i < table->columns; i++)
-        widths[i] = width_of(table, i);
+    for (guint i = 0; i < table->columns; i++) widths[i] = width_of(table, i);
     for (guint i = 0; i < table->cells->len; i++) {
         const char *cell = g_ptr_array_index(table->cells, i);
         guint column = i % table->columns;

@@ -26,8 +26,7 @@ gboolean verify_report_ok(const VerifyReport *report)
 void verify_report_json(const GPtrArray *sentences, JsonOut *out)
 {
     json_out_begin(out, '[');
-    for (guint i = 0; i < sentences->len; i++)
-        json_out_string(out, g_ptr_array_index(sentences, i));
+    for (guint i = 0; i < sentences->len; i++) json_out_string(out, g_ptr_array_index(sentences, i));
     json_out_end(out, ']');
 }
 

@@ -34,8 +34,7 @@ static gboolean take(Workers *workers, gsize *task)
 static void work(Workers *workers, gsize worker)
 {
     gsize task;
-    while (take(workers, &task))
-        workers->task(workers->task_ctx, task, worker);
+    while (take(workers, &task)) workers->task(workers->task_ctx, task, worker);
 }
 
 /* A helper's number comes as a pointer, for GLib hands over nothing else; it is never 0, the caller's. */
@@ -57,12 +56,10 @@ void workers_run(void *context, tdsp_task task, void *task_ctx, size_t count)
     workers->next = 0;
     guint helpers = (guint)MIN((gsize)workers->count, count);
     workers->busy = helpers > 0 ? helpers - 1 : 0;
-    for (gsize i = 1; i < helpers; i++)
-        g_thread_pool_push(workers->pool, GSIZE_TO_POINTER(i), NULL);
+    for (gsize i = 1; i < helpers; i++) g_thread_pool_push(workers->pool, GSIZE_TO_POINTER(i), NULL);
     work(workers, 0);
     g_mutex_lock(&workers->lock);
-    while (workers->busy > 0)
-        g_cond_wait(&workers->finished, &workers->lock);
+    while (workers->busy > 0) g_cond_wait(&workers->finished, &workers->lock);
     g_mutex_unlock(&workers->lock);
 }
 
@@ -101,8 +98,7 @@ void workers_free(Workers *workers)
 {
     if (!workers) return;
     if (workers->pool) g_thread_pool_free(workers->pool, FALSE, TRUE);
-    for (guint i = 0; i < workers->count; i++)
-        tdsp_solver_free(workers->solvers[i]);
+    for (guint i = 0; i < workers->count; i++) tdsp_solver_free(workers->solvers[i]);
     g_free(workers->solvers);
     g_free(workers->oracles);
     g_mutex_clear(&workers->lock);

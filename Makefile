@@ -201,9 +201,12 @@ pictures: all ## draw the pictures of README.md again
 	tools/setup/pictures.sh $(BUILD) $(DEMO_SCENE) docs/pictures
 
 .PHONY: results
-results: all ## measure the real scenes of TDSP_DATA and write docs/results.md
-	$(PYTHON) tests/bench/results.py --command $(BUILD)/tdsp --scenes $(TDSP_DATA)/scenes --limit $(RESULTS_LIMIT) -o docs/results.md
+results: all $(BUILD)/tests/bench/lookup ## measure the real scenes of TDSP_DATA and write docs/results.md
+	$(PYTHON) tests/bench/results.py --command $(BUILD)/tdsp --lookup $(BUILD)/tests/bench/lookup --scenes $(TDSP_DATA)/scenes --limit $(RESULTS_LIMIT) -o docs/results.md
 RESULTS_LIMIT ?= 300
+$(BUILD)/tests/bench/lookup: $(BUILD)/obj/tests/bench/lookup.o $(QUERY)
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) $^ -lm -o $@
 
 # -------------------------------------------------------------------------------------------------------------- testing
 
@@ -263,7 +266,7 @@ check-steps: check-gcc check-clang check-sanitize check-fuzz run-checks
 check-gcc: run-tests
 # The second compiler is for its warnings and for what depends on the compiler: the unit tests show that.
 check-clang:
-	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests run-unit
+	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests examples $(BUILD)/clang-19/tests/bench/lookup run-unit
 check-sanitize:
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize CHECK=$(CHECK) VARIANT=sanitize all run-tests
 check-fuzz:

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Measure tables on the real scenes and write docs/results.md. Python's standard library only.
 
-    results.py --command build/tdsp --scenes DIRECTORY [--limit SECONDS] [--only TEXT] -o docs/results.md
+    results.py --command build/tdsp --lookup build/tests/bench/lookup --scenes DIRECTORY [--limit SECONDS] [--only TEXT] -o docs/results.md
 
 For each scene with a path at departure 0: one exact arrival, then adaptive and geometric tables at 1 %. What does not finish within the
 limit says so in its row. Scenes are measured one after the other, each command on one thread, so that the times mean something.
@@ -32,10 +32,11 @@ departures or travel times.
 ## Tables at 1 %
 
 The adaptive tables promise travel time or arrival time, the geometric one, which is Algorithm 1 of the paper, arrival time, the only promise
-that it can make. *calls* are the sampler's forward and reverse searches; *seconds* are those of `tdsp build`.
+that it can make. *calls* are the sampler's forward and reverse searches; *seconds* are those of `tdsp build`. The last columns belong to
+the first table: nanoseconds for one arrival, and for one position on the way, at departures in no order.
 
-| scene | adaptive, travel: rows | calls | bytes | seconds | adaptive, arrival: rows | calls | bytes | seconds | geometric, arrival: rows | calls | bytes | seconds |
-|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+| scene | adaptive, travel: rows | calls | bytes | seconds | adaptive, arrival: rows | calls | bytes | seconds | geometric, arrival: rows | calls | bytes | seconds | arrival [ns] | position [ns] |
+|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
 {tables}
 
 {closing}
@@ -85,18 +86,22 @@ def arrive_cells(command, scene, limit):
             f"{results[0]['travel_time']:.6g}"]
 
 
-def build(command, scene, guarantee, sampling, limit):
-    with tempfile.TemporaryDirectory() as folder:
-        line = [command, "build", "--json", scene, "-o", os.path.join(folder, "t.tdsp"), "--guarantee", guarantee,
-                "--sampling", sampling, "--epsilon", "0.01", "--threads", "1"]
-        # A scene that nothing ever closes needs a horizon: ten times the travel time says enough.
-        try:
-            return run(line, limit)
-        except Failed as why:
-            if "exit status 2" not in str(why):
-                raise
-        travel = run([command, "arrive", "--json", scene, "0"], limit)["results"][0]["travel_time"]
-        return dict(run(line + ["--horizon", repr(10 * travel)], limit), horizon=True)
+def build(options, scene, table, guarantee, sampling):
+    line = [options.command, "build", "--json", scene, "-o", table, "--guarantee", guarantee, "--sampling", sampling,
+            "--epsilon", "0.01", "--threads", "1"]
+    # A scene that nothing ever closes needs a horizon: ten times the travel time says enough.
+    try:
+        return run(line, options.limit)
+    except Failed as why:
+        if "exit status 2" not in str(why):
+            raise
+    travel = run([options.command, "arrive", "--json", scene, "0"], options.limit)["results"][0]["travel_time"]
+    return dict(run(line + ["--horizon", repr(10 * travel)], options.limit), horizon=True)
+
+
+def lookup_cells(options, table):
+    measured = run([options.lookup, table], options.limit)
+    return [f"{measured['arrival_ns']:.0f}", f"{measured['position_ns']:.0f}"]
 
 
 def table_cells(report):
@@ -108,20 +113,30 @@ def last_cells(report):
     return [f"{report['last_departure']:.6g}", ("horizon given: " if report.get("horizon") else "") + report["last_reason"]]
 
 
-def measure(command, scene, limit):
-    """The cells of both tables for one scene, or None when it has no path."""
-    discs = len(json.loads(scene.read_text(encoding="utf-8"))["discs"])
-    cells = arrive_cells(command, str(scene), limit)
-    if cells is None:
-        return None
-    last, tables = ["", ""], []
+def table_row(options, scene, folder):
+    """The last departure's cells, and those of the tables."""
+    last, tables, lookup = ["", ""], [], ["", ""]
     for guarantee, sampling in TABLES:
+        table = os.path.join(folder, f"{guarantee}-{sampling}.tdsp")
         try:
-            report = build(command, str(scene), guarantee, sampling, limit)
+            report = build(options, scene, table, guarantee, sampling)
             last = last_cells(report)
             tables += table_cells(report)
+            if guarantee == "travel":
+                lookup = lookup_cells(options, table)
         except Failed as why:
             tables += [str(why), "", "", ""]
+    return last, tables + lookup
+
+
+def measure(options, scene):
+    """The cells of both tables for one scene, or None when it has no path."""
+    discs = len(json.loads(scene.read_text(encoding="utf-8"))["discs"])
+    cells = arrive_cells(options.command, str(scene), options.limit)
+    if cells is None:
+        return None
+    with tempfile.TemporaryDirectory() as folder:
+        last, tables = table_row(options, str(scene), folder)
     return [scene.stem, str(discs)] + cells + last, [scene.stem] + tables
 
 
@@ -134,9 +149,9 @@ def measure_all(options, scenes):
     for scene in scenes:
         print(f"results: {scene.stem}", file=sys.stderr)
         try:
-            measured = measure(options.command, scene, options.limit)
+            measured = measure(options, scene)
         except Failed as why:
-            measured = [scene.stem, "", str(why)] + [""] * 4, [scene.stem] + [""] * 12
+            measured = [scene.stem, "", str(why)] + [""] * 4, [scene.stem] + [""] * 14
         if measured:
             first.append(measured[0])
             second.append(measured[1])
@@ -149,6 +164,7 @@ def measure_all(options, scenes):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--command", required=True)
+    parser.add_argument("--lookup", required=True)
     parser.add_argument("--scenes", required=True, type=pathlib.Path)
     parser.add_argument("--limit", type=float, default=300)
     parser.add_argument("--only", default="")

@@ -57,7 +57,6 @@ if [ "$tier" = check ]; then
     need python3 has_python
     need binutils has_command nm
     need diffutils has_command cmp
-    need bsdextrautils has_command column
 fi
 
 [ ${#missing[@]} -eq 0 ] && exit 0

@@ -65,7 +65,7 @@ static void items_select(index_items items, uint32_t first, uint32_t last, uint3
 static index_node node_around(index_items items, uint32_t first, uint32_t count)
 {
     const geom_disc *disc = &items.discs[first];
-    index_node node = {disc->center.x, disc->center.y, disc->center.x, disc->center.y, disc->radius, disc->rate, disc->rate,
+    index_node node = {disc->center.x, disc->center.y, disc->center.x, disc->center.y, disc->radius, disc->rate, disc->rate, disc->center, 0.0,
                        first,          count,          0};
     for (uint32_t i = first + 1; i < first + count; ++i) {
         disc = &items.discs[i];
@@ -77,6 +77,9 @@ static index_node node_around(index_items items, uint32_t first, uint32_t count)
         node.rate = fmax(node.rate, disc->rate);
         node.rate_min = fmin(node.rate_min, disc->rate);
     }
+    double half_x = 0.5 * (node.max_x - node.min_x), half_y = 0.5 * (node.max_y - node.min_y);
+    node.middle = point_make(node.min_x + half_x, node.min_y + half_y);
+    node.half = sqrt(half_x * half_x + half_y * half_y);
     return node;
 }
 

@@ -16,6 +16,8 @@ typedef struct index_node {
     double radius;   /* largest, at time 0 */
     double rate;     /* largest */
     double rate_min; /* least */
+    tdsp_point middle; /* of the box */
+    double half;       /* of its diagonal */
     uint32_t first;  /* leaf: the first of its discs */
     uint32_t count;  /* leaf: how many; 0 for an inner node */
     uint32_t right;  /* inner node: its right child */

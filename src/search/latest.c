@@ -47,9 +47,10 @@ static int latest_try(latest_state *state, double departure, tdsp_status *status
 {
     tdsp_solver *solver = state->solver;
     double found = INFINITY;
-    *status = solver_forward(solver, state->set, departure, &found);
+    double until = state->arrival + latest_slack(state, SAME_TIME);
+    *status = solver_forward(solver, state->set, departure, until, &found);
     if (!tdsp_status_is_answer(*status)) return 0;
-    int good = *status == TDSP_OK && found - state->arrival <= latest_slack(state, SAME_TIME);
+    int good = *status == TDSP_OK && found <= until;
     *status = TDSP_OK;
     if (!good) {
         state->too_late = fmin(state->too_late, departure);
@@ -217,7 +218,7 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     solver->engine.arrived = ENGINE_NONE;
     if (status != TDSP_OK || state->best < 0.0) return status;
     --solver->work.forward_searches; /* this one only looks again at what is known */
-    status = solver_forward(solver, set, state->best, &arrives);
+    status = solver_forward(solver, set, state->best, INFINITY, &arrives);
     return tdsp_status_is_answer(status) ? TDSP_OK : status;
 }
 

@@ -58,17 +58,40 @@ static int wedge_too_late(const leave_wedge *wedge, double from_middle, double t
     return wedge->motion.start + from_middle + to_goal - wedge->half_length - 2.0 * radius > wedge->engine->limit;
 }
 
-/* The window of something within `reach` of a place, whose rate is at most `rate` either way. Returns 0 when it is not in the wedge, or hidden. */
+/* An upper bound on asin(x) for 0 <= x <= 1, at most 0.2 above it: the difference vanishes at 0 and 1 only. */
+static double asin_above(double x)
+{
+    return x + (0.5 * GEOM_PI - 1.0) * x * x * x;
+}
+
+/* The direction of (x, y) within DIRECTION_ERROR: a polynomial for the arc tangent. */
+#define DIRECTION_ERROR 2e-4
+
+static double direction_near(double y, double x)
+{
+    double ax = fabs(x), ay = fabs(y), low = ax < ay ? ax : ay, high = ax < ay ? ay : ax;
+    double a = high > 0.0 ? low / high : 0.0, b = a * a;
+    double angle = a * (0.99997726 + b * (-0.33262347 + b * (0.19354346 + b * (-0.11643287 + b * (0.05265332 - b * 0.01172120)))));
+    if (ay > ax) angle = 0.5 * GEOM_PI - angle;
+    if (x < 0.0) angle = GEOM_PI - angle;
+    return y < 0.0 ? -angle : angle;
+}
+
+/*
+ * The window of something within `reach` of a place, whose rate is at most `rate` either way, or a little more than it. Returns 0 when it is
+ * not in the wedge, or hidden.
+ */
 static int wedge_sees(const leave_wedge *wedge, tdsp_point place, double reach, double rate, wedge_window *window)
 {
     tdsp_point offset = point_sub(place, wedge->middle);
-    double distance = point_length(offset), near = reach + wedge->half_length;
+    double squared = point_dot(offset, offset), near = reach + wedge->half_length;
     window->from = -GEOM_TURN;
     window->to = GEOM_TURN;
     window->bound = 0.0;
-    if (distance <= near || rate >= 1.0) return 1;
-    double off = atan2(point_cross(wedge->heading, offset), point_dot(wedge->heading, offset));
-    double half = asin(near / distance) + asin(rate);
+    if (squared <= near * near || rate >= 1.0) return 1;
+    double distance = sqrt(squared);
+    double off = direction_near(point_cross(wedge->heading, offset), point_dot(wedge->heading, offset));
+    double half = asin_above(near / distance) + asin_above(rate) + DIRECTION_ERROR;
     window->from = off - half;
     window->to = off + half;
     window->bound = (distance - near) / (1.0 + rate); /* a disc that shrinks only makes the leg longer */
@@ -79,15 +102,11 @@ static int wedge_sees(const leave_wedge *wedge, tdsp_point place, double reach, 
 static int wedge_sees_node(const leave_wedge *wedge, const index_node *node, wedge_window *window)
 {
     const disc_engine *engine = wedge->engine;
-    double half_x = 0.5 * (node->max_x - node->min_x), half_y = 0.5 * (node->max_y - node->min_y);
-    tdsp_point middle = point_make(node->min_x + half_x, node->min_y + half_y);
-    double reach = index_node_reach(node, wedge->late);
-    if (isfinite(engine->limit)) {
-        double last = index_node_reach(node, fmax(wedge->late, engine_true_time(engine, engine->limit)));
-        double from_middle = index_node_distance(node, wedge->middle);
-        if (wedge_too_late(wedge, from_middle, index_node_distance(node, engine->question.goal), last)) return 0;
-    }
-    return wedge_sees(wedge, middle, reach + sqrt(half_x * half_x + half_y * half_y), node->rate, window);
+    if (!wedge_sees(wedge, node->middle, index_node_reach(node, wedge->late) + node->half, node->rate, window)) return 0;
+    if (isinf(engine->limit)) return 1;
+    double last = index_node_reach(node, fmax(wedge->late, engine_true_time(engine, engine->limit)));
+    double from_middle = index_node_distance(node, wedge->middle);
+    return !wedge_too_late(wedge, from_middle, index_node_distance(node, engine->question.goal), last);
 }
 
 static int wedge_sees_disc(const leave_wedge *wedge, uint32_t k, wedge_window *window)
@@ -96,10 +115,10 @@ static int wedge_sees_disc(const leave_wedge *wedge, uint32_t k, wedge_window *w
     const geom_disc *disc = engine_disc(engine, k);
     if (!disc_ridable(disc) || k == engine->rides[wedge->ride].disc) return 0;
     double reach = fmax(disc_radius(disc, wedge->motion.start), disc_radius(disc, wedge->motion.end));
+    if (!wedge_sees(wedge, disc->center, reach, fabs(disc->rate), window)) return 0;
     double last = fmax(reach, disc_radius(disc, engine->limit));
     double from_middle = point_distance(disc->center, wedge->middle);
-    if (wedge_too_late(wedge, from_middle, point_distance(disc->center, engine->question.goal), last)) return 0;
-    return wedge_sees(wedge, disc->center, reach, fabs(disc->rate), window);
+    return !wedge_too_late(wedge, from_middle, point_distance(disc->center, engine->question.goal), last);
 }
 
 static double wedge_offset(const leave_wedge *wedge, double leave)

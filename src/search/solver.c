@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "geom/tolerance.h"
 #include "search/gap.h"
 #include "search/reason.h"
 
@@ -42,7 +43,7 @@ engine_question solver_forward_question(const tdsp_scene *scene, double departur
     return question;
 }
 
-tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double *arrival)
+tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival)
 {
     const tdsp_scene *scene = solver->scene;
     solver->engine.arrived = ENGINE_NONE;
@@ -52,6 +53,7 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
         return TDSP_OK;
     }
     engine_question question = solver_forward_question(scene, departure);
+    question.limit = fmin(question.limit, until / scene->time * (1.0 + GEOM_CONTACT));
     ++solver->work.forward_searches;
     tdsp_status status = engine_run(&solver->engine, set, &question);
     if (status != TDSP_OK) return status;
@@ -73,7 +75,7 @@ static tdsp_status ask_arrival(void *ctx, const disc_set *set)
 {
     arrival_question *question = ctx;
     question->solver->work = question->before;
-    question->answer = solver_forward(question->solver, set, question->departure, &question->arrival);
+    question->answer = solver_forward(question->solver, set, question->departure, INFINITY, &question->arrival);
     return tdsp_status_is_answer(question->answer) ? TDSP_OK : question->answer;
 }
 

@@ -18,10 +18,10 @@ struct tdsp_solver {
 };
 
 /*
- * A(t) among the discs of a set, the engine keeping the path: TDSP_OK with *arrival, in the user's units; TDSP_SOURCE_COVERED; TDSP_CUT_OFF
- * for any other reason; or an error.
+ * A(t) among the discs of a set, as far as it is not after `until`, the engine keeping the path: TDSP_OK with *arrival, in the user's
+ * units; TDSP_SOURCE_COVERED; TDSP_CUT_OFF for any other reason; or an error.
  */
-tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double *arrival);
+tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival);
 
 /* The engine's question behind it. */
 engine_question solver_forward_question(const tdsp_scene *scene, double departure);

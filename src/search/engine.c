@@ -121,7 +121,9 @@ static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
         return TDSP_OK;
     }
     double arrival = leg_arrival(leg);
-    double normal = leg->heading - leg->side * engine_disc(engine, leg->disc)->theta;
+    const geom_disc *disc = engine_disc(engine, leg->disc);
+    double normal = leg->heading - leg->side * disc->theta;
+    if (disc_radius(disc, arrival) == 0.0) return TDSP_OK; /* a point that begins to grow has no boundary to ride on yet */
     if (sweep_covers(engine, leg->disc, leg->side, normal, arrival) || leg_blocked(engine, leg)) return TDSP_OK;
     engine_ride ride = {leg->disc, leg->side, id, ENGINE_NONE, normal, arrival, arrival, leg->bound};
     uint32_t added;

@@ -248,6 +248,28 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state 
     return route_keep(solver, state->best, state->best);
 }
 
+/*
+ * The answer as everyone else will find it: A at the departure is asked for once more among all discs, and kept with its path. At the last moment
+ * of a gap rounding may lose that path again; then the departure goes back by more and more than rounding.
+ */
+static tdsp_status latest_confirm(latest_state *state)
+{
+    tdsp_solver *solver = state->solver;
+    double back = latest_slack(state, STEP_BACK);
+    for (;;) {
+        double found = INFINITY;
+        tdsp_status status = solver_arrival(solver, state->best, &found);
+        if (!tdsp_status_is_answer(status)) return status;
+        if (status == TDSP_OK && found <= state->arrival + latest_slack(state, SAME_TIME)) {
+            state->arrives = found;
+            return route_keep(solver, state->best, found);
+        }
+        if (state->best == 0.0) return TDSP_OK;
+        state->best = fmax(state->best - back, 0.0);
+        back *= 4.0;
+    }
+}
+
 /* Why is there no departure at all that arrives by a? */
 static tdsp_status latest_refuse(tdsp_solver *solver, double arrival)
 {
@@ -267,6 +289,8 @@ tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *d
         status = latest_refuse(solver, arrival);
         return status == TDSP_OK ? TDSP_ARRIVAL_TOO_EARLY : status;
     }
+    if (!isinf(state.best)) status = latest_confirm(&state);
+    if (status != TDSP_OK) return status;
     *departure = state.best;
     if (arrives) *arrives = state.arrives;
     return TDSP_OK;
@@ -317,6 +341,10 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
     if (state.best < 0.0) return latest_refuse(solver, INFINITY);
     tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, state.arrives, solver->scene->journey.destination};
     if (!isinf(state.best)) status = last_explain(&state, &last);
-    if (status == TDSP_OK) *out = last;
-    return status;
+    if (!isinf(state.best) && status == TDSP_OK) status = latest_confirm(&state);
+    if (status != TDSP_OK) return status;
+    last.departure = state.best;
+    last.arrival = state.arrives;
+    *out = last;
+    return TDSP_OK;
 }

@@ -35,7 +35,7 @@ static double chunk_end(disc_engine *engine, uint32_t r, int *ended)
         geom_ride motion = engine_ride_motion(engine, ride, from, to);
         to = fmin(to, index_ride_contact(&engine->view, &motion, ride->disc));
     }
-    *ended = !(to >= full);
+    *ended = !(to >= full) || !(full > from); /* round a pebble too small for time to pass */
     return to;
 }
 

@@ -38,6 +38,7 @@ void tdsp_solver_free(tdsp_solver *solver)
 engine_question solver_forward_question(const tdsp_scene *scene, double departure)
 {
     double until = scene->destination_cover.time / scene->time;
+    until += GEOM_CONTACT * fabs(until); /* the last robot meets the disc that covers the destination: a touch */
     engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
                                 until, 0, NULL, 0};
     return question;
@@ -58,7 +59,8 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
     tdsp_status status = engine_run(&solver->engine, set, &question);
     if (status != TDSP_OK) return status;
     if (solver->engine.arrived == ENGINE_NONE) return TDSP_CUT_OFF;
-    *arrival = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
+    double found = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
+    *arrival = fmin(found, fmax(departure, scene->destination_cover.time));
     return TDSP_OK;
 }
 

@@ -6,6 +6,15 @@
 /* Rides that start this close behind an angle count as having passed it. */
 #define SAME_ANGLE 1e-12
 
+/* Who passes within this share of the times at hand passes at the same time: then the older ride counts as the earlier one. */
+#define SAME_MOMENT 1e-13
+
+static int passed_before(double passed, double time, int is_older)
+{
+    double tie = SAME_MOMENT * (1.0 + fabs(time));
+    return passed < time - tie || (is_older && passed <= time + tie);
+}
+
 static size_t sweep_list(uint32_t disc, int side)
 {
     return 2 * (size_t)disc + (side > 0);
@@ -53,7 +62,7 @@ int sweep_covers(disc_engine *engine, uint32_t disc, int side, double normal, do
 {
     for (uint32_t r = sweep_first(engine, disc, side); r != ENGINE_NONE; r = engine->rides[r].next) {
         double passed = sweep_passed(engine, &engine->rides[r], normal);
-        if (passed <= time && sweep_radius_free(engine, disc, normal, passed, time)) return 1;
+        if (passed_before(passed, time, 1) && sweep_radius_free(engine, disc, normal, passed, time)) return 1;
     }
     return 0;
 }
@@ -67,10 +76,10 @@ double sweep_cut(disc_engine *engine, uint32_t ride, double from, double to)
         const engine_ride *other = &engine->rides[r];
         if (r == ride) continue;
         double passed = sweep_passed(engine, other, normal);
-        if (passed <= from && sweep_radius_free(engine, self->disc, normal, passed, from)) return from;
+        if (passed_before(passed, from, r < ride) && sweep_radius_free(engine, self->disc, normal, passed, from)) return from;
         double ahead = angle_positive(self->side * (other->normal - normal));
         double meet = from + spiral_duration(disc, from, ahead);
-        if (meet >= to || other->start > meet) continue;
+        if (meet >= to || !passed_before(other->start, meet, r < ride)) continue;
         if (sweep_radius_free(engine, self->disc, other->normal, other->start, meet)) to = meet;
     }
     return to;

@@ -1,0 +1,236 @@
+/* Straight motions and rides against discs: what is said of the first contact, against dense sampling of the distance. */
+#include "support/cmocka_all.h"
+
+#include "geom/contact.h"
+#include "geom/spiral.h"
+#include "support/chance.h"
+
+/* Deeper than this is a collision for certain, also between two samples; shallower may be called a touch. */
+#define DEEP 1e-6
+
+typedef double (*clearance_at)(const void *motion, const geom_disc *disc, double at);
+
+typedef struct sampled {
+    double least;   /* least clearance */
+    double first;   /* the first place with a clearance under -DEEP; infinite when none */
+} sampled;
+
+/* The least value beside a sample, by narrowing down on it. */
+static double least_near(clearance_at clearance, const void *motion, const geom_disc *disc, double lo, double hi)
+{
+    for (int step = 0; step < 60; ++step) {
+        double a = lo + (hi - lo) / 3.0, b = hi - (hi - lo) / 3.0;
+        if (clearance(motion, disc, a) < clearance(motion, disc, b)) {
+            hi = b;
+        } else {
+            lo = a;
+        }
+    }
+    return clearance(motion, disc, 0.5 * (lo + hi));
+}
+
+static sampled sample(clearance_at clearance, const void *motion, const geom_disc *disc, double from, double to, int count)
+{
+    sampled result = {INFINITY, INFINITY};
+    double best = from, step = (to - from) / count;
+    for (int k = 0; k <= count; ++k) {
+        double at = k < count ? from + step * k : to, value = clearance(motion, disc, at);
+        if (value < -DEEP && isinf(result.first)) result.first = at;
+        if (value >= result.least) continue;
+        result.least = value;
+        best = at;
+    }
+    result.least = fmin(result.least, least_near(clearance, motion, disc, fmax(from, best - step), fmin(to, best + step)));
+    return result;
+}
+
+static double line_clear(const void *motion, const geom_disc *disc, double at)
+{
+    const geom_line *line = motion;
+    return point_distance(point_along(line->from, at, line->heading), disc->center) - disc_radius(disc, line->start + at);
+}
+
+static geom_line random_line(uint64_t *chance)
+{
+    geom_line line = {point_make(chance_between(chance, -4.0, 4.0), chance_between(chance, -4.0, 4.0)),
+                      point_unit(chance_between(chance, -3.2, 3.2)), chance_between(chance, 0.0, 1.0), chance_between(chance, 0.0, 6.0)};
+    return line;
+}
+
+/* Standing, slow, as fast as the robot, faster; for reversed time negative, and then large enough at first. */
+static geom_disc random_disc(uint64_t *chance)
+{
+    static const double special[] = {0.0, 1.0, 1.5, 0.999, 1e-9, 1.0 - 1e-12};
+    uint64_t pick = chance_below(chance, 12);
+    double rate = pick < 6 ? special[pick] : chance_between(chance, 0.0, 0.98), radius = chance_between(chance, 0.0, 1.5);
+    if (chance_below(chance, 2)) return disc_make(point_make(chance_between(chance, -3.0, 3.0), chance_between(chance, -3.0, 3.0)), radius + 3.0 * rate, -rate);
+    return disc_make(point_make(chance_between(chance, -3.0, 3.0), chance_between(chance, -3.0, 3.0)), radius, rate);
+}
+
+static void a_line_is_blocked_exactly_when_samples_lie_inside(void **state)
+{
+    (void)state;
+    uint64_t chance = 1;
+    int blocked = 0, open = 0;
+    for (int k = 0; k < 20000; ++k) {
+        geom_line line = random_line(&chance);
+        geom_disc disc = random_disc(&chance);
+        sampled truth = sample(line_clear, &line, &disc, 0.0, line.length, 200);
+        if (fabs(truth.least) < 1e-9) continue;
+        assert_int_equal(line_blocked(&line, &disc) != 0, truth.least < 0.0);
+        *(truth.least < 0.0 ? &blocked : &open) += 1;
+    }
+    assert_true(blocked > 2000 && open > 2000);
+}
+
+static void the_first_contact_of_a_line_is_where_it_enters(void **state)
+{
+    (void)state;
+    uint64_t chance = 2;
+    int entered = 0;
+    for (int k = 0; k < 10000; ++k) {
+        geom_line line = random_line(&chance);
+        geom_disc disc = random_disc(&chance);
+        sampled truth = sample(line_clear, &line, &disc, 0.0, line.length, 1000);
+        double first = line_first_contact(&line, &disc);
+        if (fabs(truth.least) > 1e-9) assert_int_equal(isinf(first), truth.least > 0.0);
+        assert_true(first <= truth.first);
+        if (isinf(first)) continue;
+        if (first > 0.0) assert_near(line_clear(&line, &disc, first), 0.0, 1e-9);
+        sampled before = sample(line_clear, &line, &disc, 0.0, first, 100);
+        if (first > 0.0) assert_true(before.least > -1e-9);
+        ++entered;
+    }
+    assert_true(entered > 1000);
+}
+
+static void a_line_that_only_touches_is_free(void **state)
+{
+    (void)state;
+    uint64_t chance = 3;
+    for (int k = 0; k < 2000; ++k) {
+        /* A tangent motion from first principles: at the touch the heading is at theta from the normal. */
+        geom_disc disc = random_disc(&chance);
+        if (!disc_ridable(&disc)) continue;
+        double touch = chance_between(&chance, 0.0, 1.0), normal = chance_between(&chance, -3.0, 3.0);
+        if (disc_radius(&disc, touch) <= 0.0) continue;
+        tdsp_point heading = point_unit(disc_heading(&disc, k % 2 ? 1 : -1, normal));
+        geom_line line = {point_along(disc_boundary(&disc, normal, touch), -touch, heading), heading, 0.0, 2.0};
+        assert_false(line_blocked(&line, &disc));
+        assert_true(isinf(line_first_contact(&line, &disc)));
+    }
+}
+
+static double ride_clear(const void *motion, const geom_disc *disc, double at)
+{
+    return point_distance(ride_position(motion, at), disc->center) - disc_radius(disc, at);
+}
+
+/* A ride of up to two radians, in either direction of time. */
+static geom_ride random_ride(uint64_t *chance, geom_disc *disc)
+{
+    double rate = chance_below(chance, 4) ? chance_between(chance, -0.95, 0.97) : 0.0;
+    *disc = disc_make(point_make(0.0, 0.0), chance_between(chance, 0.3, 2.0) + (rate < 0.0 ? 1.0 : 0.0), rate);
+    double start = chance_between(chance, 0.0, 0.5), end = start + spiral_duration(disc, start, chance_between(chance, 0.01, 2.0));
+    geom_ride ride = {disc, chance_below(chance, 2) ? 1 : -1, chance_between(chance, -3.0, 3.0), start, end};
+    return ride;
+}
+
+static void check_ride(const geom_ride *ride, const geom_disc *other, int counts[2])
+{
+    sampled truth = sample(ride_clear, ride, other, ride->start, ride->end, 1500);
+    double first = ride_contact(ride, other);
+    assert_true(first <= truth.first);
+    if (truth.least > 1e-9) assert_true(isinf(first));
+    ++counts[isinf(first) != 0];
+    if (isinf(first)) return;
+    assert_true(first >= ride->start && first <= ride->end);
+    if (first == ride->start) {
+        assert_true(ride_clear(ride, other, first) < 1e-9);
+        return;
+    }
+    assert_near(ride_clear(ride, other, first), 0.0, 1e-7);
+    sampled before = sample(ride_clear, ride, other, ride->start, first, 300);
+    assert_true(before.least > -1e-9);
+}
+
+static void the_first_contact_of_a_ride_is_where_it_enters(void **state)
+{
+    (void)state;
+    uint64_t chance = 4;
+    int counts[2] = {0, 0};
+    for (int k = 0; k < 6000; ++k) {
+        geom_disc disc, other = random_disc(&chance);
+        geom_ride ride = random_ride(&chance, &disc);
+        check_ride(&ride, &other, counts);
+    }
+    assert_true(counts[0] > 600 && counts[1] > 600);
+}
+
+/* The rider starts at the corner of two overlapping discs or just beside: the corner then runs after the rider, or away from it. */
+static void a_ride_from_a_corner_ends_where_the_corner_catches_up(void **state)
+{
+    (void)state;
+    uint64_t chance = 5;
+    int counts[2] = {0, 0};
+    for (int k = 0; k < 6000; ++k) {
+        geom_disc disc;
+        geom_ride ride = random_ride(&chance, &disc);
+        double rate = chance_between(&chance, 0.0, 0.97) * (disc.rate < 0.0 ? -1.0 : 1.0), apart = chance_between(&chance, 0.5, 4.0);
+        double beside = k % 3 ? pow(10.0, chance_between(&chance, -8.0, -1.0)) : 0.0;
+        tdsp_point center = point_along(ride_position(&ride, ride.start), apart, point_unit(chance_between(&chance, -3.0, 3.0)));
+        geom_disc other = disc_make(center, apart * (1.0 - beside) - rate * ride.start, rate); /* its boundary passes by the rider */
+        check_ride(&ride, &other, counts);
+    }
+    assert_true(counts[0] > 600 && counts[1] > 600);
+}
+
+/* Two discs that meet while the rider rides through the gap: the corner appears at infinite speed. */
+static void a_closing_gap_stops_the_rider_in_it(void **state)
+{
+    (void)state;
+    uint64_t chance = 6;
+    int counts[2] = {0, 0};
+    for (int k = 0; k < 4000; ++k) {
+        double rate = chance_between(&chance, 0.05, 0.9), r = chance_between(&chance, 0.5, 2.0), q = chance_between(&chance, 0.5, 2.0);
+        double gap = pow(10.0, chance_between(&chance, -9.0, -0.5));
+        geom_disc disc = disc_make(point_make(0.0, 0.0), r, chance_between(&chance, 0.0, rate));
+        geom_disc other = disc_make(point_make(r + q + gap, 0.0), q, rate);
+        double angle = chance_between(&chance, -0.6, 0.0);
+        geom_ride ride = {&disc, 1, angle, 0.0, spiral_duration(&disc, 0.0, 0.25)};
+        check_ride(&ride, &other, counts);
+    }
+    assert_true(counts[0] > 400 && counts[1] > 400);
+}
+
+static void a_ride_inside_another_disc_is_stopped_at_once(void **state)
+{
+    (void)state;
+    geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0, 0.2), other = disc_make(point_make(0.5, 0.0), 3.0, 0.1);
+    geom_ride ride = {&disc, 1, 0.0, 0.0, 1.0};
+    assert_exact(ride_contact(&ride, &other), 0.0);
+}
+
+static void a_ride_that_passes_a_touching_disc_is_free(void **state)
+{
+    (void)state;
+    /* Disc and neighbour touch from outside for ever: both stand still. */
+    geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0, 0.0), other = disc_make(point_make(3.0, 0.0), 2.0, 0.0);
+    geom_ride ride = {&disc, 1, -0.5, 0.0, 1.0};
+    assert_true(isinf(ride_contact(&ride, &other)));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_line_is_blocked_exactly_when_samples_lie_inside),
+        cmocka_unit_test(the_first_contact_of_a_line_is_where_it_enters),
+        cmocka_unit_test(a_line_that_only_touches_is_free),
+        cmocka_unit_test(the_first_contact_of_a_ride_is_where_it_enters),
+        cmocka_unit_test(a_ride_from_a_corner_ends_where_the_corner_catches_up),
+        cmocka_unit_test(a_closing_gap_stops_the_rider_in_it),
+        cmocka_unit_test(a_ride_inside_another_disc_is_stopped_at_once),
+        cmocka_unit_test(a_ride_that_passes_a_touching_disc_is_free),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

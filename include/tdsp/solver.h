@@ -16,7 +16,10 @@
 extern "C" {
 #endif
 
-/** The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed. */
+/**
+ * The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed; the rounding of a departure
+ * and an arrival, 2^-52 of each, comes on top. Times over 2^40 times |sd| / speed in a scene where something grows are refused.
+ */
 #define TDSP_SOLVER_ERROR 1e-11
 
 /** A workspace for questions to one scene: one for each thread. */
@@ -38,7 +41,7 @@ TDSP_API void tdsp_solver_free(tdsp_solver *solver);
  * @param departure  finite, not negative
  * @param arrival    the arrival; infinity when there is no way. Untouched on error (a status that is no answer)
  * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED or TDSP_CUT_OFF when there is no way;
- *         TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a departure too many journeys away (TDSP_SOLVER_ERROR); TDSP_NO_MEMORY
  *
  * O(n^2 log n) at worst for discs of one rate. One thread at a time for a solver. Since 0.1.
  */
@@ -53,7 +56,7 @@ TDSP_API tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure
  *                   untouched unless TDSP_OK
  * @param arrives    A(departure), at most `arrival`; may be NULL; untouched unless TDSP_OK
  * @return TDSP_OK; TDSP_ARRIVAL_TOO_EARLY when arrival < A(0); the reason why there is no way at all;
- *         TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY. Since 0.1.
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED as above; TDSP_NO_MEMORY. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives);
 

@@ -43,6 +43,12 @@ static inline int scene_covered(scene_cover cover, double time)
     return time > cover.time;
 }
 
+/* Does nothing grow? */
+static inline int scene_is_still(const tdsp_scene *scene)
+{
+    return scene->all.count == 0 || scene->all.index.nodes[0].rate == 0.0;
+}
+
 /* A point of the frame in the user's units. */
 static inline tdsp_point scene_place(const tdsp_scene *scene, tdsp_point point)
 {

@@ -8,7 +8,7 @@
 enum { LABEL_LEG = 0, LABEL_RIDE = 1, LABEL_START = 2 };
 
 /* A disc that holds the goal within this depth at the moment of contact is the one that covers it. */
-#define COVERS_GOAL 1e-9
+#define COVERS_GOAL 1e-12
 
 static double label_bound(void *ctx, const tdsp_label *label)
 {

@@ -222,14 +222,17 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     return tdsp_status_is_answer(status) ? TDSP_OK : status;
 }
 
-/* Nothing moves, or nothing has to: the robot may leave whenever it likes. */
-static tdsp_status latest_for_ever(latest_state *state)
+/* Nothing grows: the travel time is the same for ever. */
+static tdsp_status latest_still(latest_state *state, double arrival)
 {
     tdsp_solver *solver = state->solver;
-    double arrival;
-    tdsp_status status = tdsp_earliest_arrival(solver, 0.0, &arrival);
-    if (status == TDSP_OK) state->best = state->arrives = INFINITY;
-    return tdsp_status_is_answer(status) ? TDSP_OK : status;
+    double travel;
+    tdsp_status status = solver_arrival(solver, 0.0, &travel);
+    if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_OK : status;
+    state->best = arrival - travel;
+    while (state->best + travel > arrival) state->best = nextafter(state->best, -1.0);
+    state->arrives = state->best + travel;
+    return TDSP_OK;
 }
 
 /* The state after the search; best < 0 when there is no departure. */
@@ -240,7 +243,8 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state 
     latest_state start = {solver, &scene->all, solver->work, fmin(arrival, scene->destination_cover.time), -1.0, -1.0, INFINITY, NULL};
     *state = start;
     solver->has_path = 0;
-    if (isinf(state->arrival)) return latest_for_ever(state);
+    if (scene_is_still(scene)) return latest_still(state, arrival);
+    if (solver_is_far(scene, fmin(state->arrival, scene->source_cover.time))) return TDSP_NOT_SUPPORTED;
     if (scene_covered(scene->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
     if (straight > 0.0) return relax_run(&solver->relaxation, &solver->engine, ask_latest, state);
     state->best = state->arrives = fmin(state->arrival, scene->source_cover.time);
@@ -323,10 +327,8 @@ static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *
         out->time = state->gap->time * scene->time;
         out->place = scene_place(scene, state->gap->place);
     }
-    if (state->arrives < scene->destination_cover.time - latest_slack(state, SAME_TIME)) {
-        tdsp_status status = reason_find(state->solver, state->best + latest_slack(state, PROOF_STEP), &out->reason);
-        if (status != TDSP_OK || out->reason == TDSP_CUT_OFF) return status;
-    }
+    tdsp_status status = reason_find(state->solver, state->best + latest_slack(state, PROOF_STEP), &out->reason);
+    if (status != TDSP_OK || out->reason == TDSP_CUT_OFF) return status;
     last_by_cover(out, TDSP_DESTINATION_COVERED, scene->destination_cover, scene->journey.destination);
     out->other = TDSP_NO_DISC;
     return TDSP_OK;

@@ -35,11 +35,20 @@ void tdsp_solver_free(tdsp_solver *solver)
     memory_free(memory, solver, sizeof *solver);
 }
 
+/* From here on a double no longer tells the moments of one journey apart. */
+#define FAR_AWAY 1099511627776.0 /* 2^40 */
+
+int solver_is_far(const tdsp_scene *scene, double time)
+{
+    return !scene_is_still(scene) && time > FAR_AWAY * scene->time && !scene_covered(scene->source_cover, time);
+}
+
 engine_question solver_forward_question(const tdsp_scene *scene, double departure)
 {
     double until = scene->destination_cover.time / scene->time;
     until += GEOM_CONTACT * fabs(until); /* the last robot meets the disc that covers the destination: a touch */
-    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, departure / scene->time, -INFINITY, until,
+    double time = scene_is_still(scene) ? 0.0 : departure / scene->time; /* where nothing grows one time is as good as another */
+    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, time, -INFINITY, until,
                                 until, 0, NULL, 0};
     return question;
 }
@@ -54,7 +63,8 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
         return TDSP_OK;
     }
     engine_question question = solver_forward_question(scene, departure);
-    question.limit = fmin(question.limit, until / scene->time * (1.0 + GEOM_CONTACT));
+    double latest = question.time + (until - departure) / scene->time;
+    question.limit = fmin(question.limit, latest + GEOM_CONTACT * fabs(latest));
     ++solver->work.forward_searches;
     tdsp_status status = engine_run(&solver->engine, set, &question);
     if (status != TDSP_OK) return status;
@@ -95,6 +105,7 @@ tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double 
 {
     if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
     double found = INFINITY;
+    if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
     tdsp_status status = solver_arrival(solver, departure, &found);
     if (status == TDSP_OK) status = route_keep(solver, departure, found);
     if (status == TDSP_CUT_OFF) {

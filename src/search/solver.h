@@ -23,6 +23,9 @@ struct tdsp_solver {
  */
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival);
 
+/* Is this time too many journeys away to be answered, in a scene where something grows? */
+int solver_is_far(const tdsp_scene *scene, double time);
+
 /* The engine's question behind it. */
 engine_question solver_forward_question(const tdsp_scene *scene, double departure);
 

@@ -7,9 +7,9 @@
 /* d(angle)/dt = sin(theta) / R(t), by Runge and Kutta's classical method; R alone matters, so it is Simpson's rule. */
 static double integrated_angle(const geom_disc *disc, double t0, double t1)
 {
-    enum { STEPS = 4000 };
-    double h = (t1 - t0) / STEPS, sum = 0.0;
-    for (int i = 0; i < STEPS; ++i) {
+    const int steps = 4000;
+    double h = (t1 - t0) / steps, sum = 0.0;
+    for (int i = 0; i < steps; ++i) {
         double t = t0 + h * i;
         double k1 = 1.0 / (disc->radius + disc->rate * t);
         double k2 = 1.0 / (disc->radius + disc->rate * (t + 0.5 * h));

@@ -118,15 +118,15 @@ static void every_leg_touches_both_discs_tangentially_and_in_time(void **state)
         }
 }
 
-enum { AROUND = 1440 };
+static const int around = 1440;
 
 /* All legs at one moment by sampling every normal: their headings. Returns -1 where two are too close, or one is too short, to tell. */
 static int sampled_legs(const branch *b, double time, double headings[8])
 {
     int count = 0;
     trial before = trial_leave(b, 0.0, time);
-    for (int k = 1; k <= AROUND; ++k) {
-        double lo = GEOM_TURN * (k - 1) / AROUND, hi = GEOM_TURN * k / AROUND;
+    for (int k = 1; k <= around; ++k) {
+        double lo = GEOM_TURN * (k - 1) / around, hi = GEOM_TURN * k / around;
         trial after = trial_leave(b, hi, time);
         if (fabs(after.miss) < 1e-4 && (fabs(after.length) < 0.05 || fabs(after.radius) < 0.05)) return -1;
         if ((before.miss < 0.0) == (after.miss < 0.0)) {
@@ -187,7 +187,9 @@ static trial trial_ride(const branch *b, double angle, double t0, double time)
     return trial_leave(b, angle + b->side * spiral_angle(&b->i, t0, time), time);
 }
 
-enum { ALONG = 600, MOST_ROOTS = 6 };
+enum { MOST_ROOTS = 6 };
+
+static const int along_count = 600;
 
 /* When a rider can leave, by sampling. -1 where that is too close to call. */
 static int sampled_leaves(const branch *b, double angle, double t0, double t1, double leaves[MOST_ROOTS])
@@ -195,8 +197,8 @@ static int sampled_leaves(const branch *b, double angle, double t0, double t1, d
     int count = 0;
     trial before = trial_ride(b, angle, t0, t0);
     if (fabs(before.miss) < 1e-6) return -1;
-    for (int k = 1; k <= ALONG; ++k) {
-        double lo = t0 + (t1 - t0) * (k - 1) / ALONG, hi = t0 + (t1 - t0) * k / ALONG;
+    for (int k = 1; k <= along_count; ++k) {
+        double lo = t0 + (t1 - t0) * (k - 1) / along_count, hi = t0 + (t1 - t0) * k / along_count;
         trial after = trial_ride(b, angle, t0, hi);
         if (fabs(after.miss) < 1e-6) return -1;
         if ((before.miss < 0.0) != (after.miss < 0.0)) {

@@ -4,7 +4,7 @@
 #include "search/sweep.h"
 
 /* A chunk turns by this angle at most: what it can see then fits into a narrow wedge. */
-#define CHUNK_ANGLE 0.25
+#define CHUNK_ANGLE 0.6
 
 /* ... and the radius at most doubles or halves meanwhile. */
 #define CHUNK_GROWTH 0.69314718055994530942

@@ -4,8 +4,8 @@
  * Greedy is optimal: the cap of a row rises with the lower bound it starts from, the lower bound with the departure, so a row
  * that ends later never leads to more rows (docs/sampler.md). Two rows meet in one of two ways:
  *
- *   at a jump       b and the next double are both known; the row's right side is the value at the next double, where the following
- *                   row starts;
+ *   at a jump       a lower bound of the value right after b is known, by a reverse call or by the value at the next double; the
+ *                   following row starts from it;
  *   on a slope      the row stops within a thousandth of the allowed increase, and its right side is its own value,
  *                   rounded down, for values never decrease.
  */
@@ -17,6 +17,7 @@
 #include "build/trail.h"
 
 #define SLACK 1e-3  /* of the allowed increase */
+#define GIVE 5e-4   /* likewise, at jumps */
 #define REVERSALS 4 /* a row: each may find another jump under the cap first */
 
 /* The goal of the row after the one held, which starts at `base` from the bound `lower`. */
@@ -29,6 +30,7 @@ static inversion goal_after(const sampler *s, const sample *base, double lower)
                       .room = cap - base->ceiling,
                       .anchor = -INFINITY,
                       .after = b,
+                      .give = GIVE * (cap - lower),
                       .seed = NAN,
                       .reversals = REVERSALS};
     if (s->options->guarantee != TDSP_GUARANTEE_ARRIVAL) return goal;
@@ -45,7 +47,7 @@ static tdsp_status add_row(sampler *s, const bracket *b, double cap)
     sample low = b->low;
     tdsp_status status = sampler_recall_path(&s->probe, &low, cap);
     if (status != TDSP_OK) return status;
-    row next = sampler_row(s, &low, bracket_is_closed(b) ? b->high.lower : low.lower);
+    row next = sampler_row(s, &low, b->after);
     s->probe.settled = low.departure;
     return rows_add(&s->rows, &next, &s->probe.path);
 }
@@ -67,20 +69,19 @@ static tdsp_status step(sampler *s, trail *t, sample *base, int *ended)
     double lower = held->right + (s->probe.by_arrival ? held->departure : 0);
     inversion goal = goal_after(s, base, lower);
     if (!sample_fits(base, goal.cap)) return TDSP_NOT_SUPPORTED;
-    bracket b = {*base, *base};
+    bracket b = {.low = *base, .high = *base};
     *ended = pass_known(t, goal.cap, &b);
     if (*ended) return TDSP_OK;
     double pace = t->pace;
     tdsp_status status = invert(&s->probe, &goal, t, &b);
     if (status != TDSP_OK) return status;
-    int closed = bracket_is_closed(&b);
-    *base = closed ? b.high : b.low;
-    if (closed) {
+    *base = b.jumps ? b.high : b.low;
+    if (b.jumps) {
         trail_restart(t, &b.high);
         t->pace = pace;
     }
     if (b.low.departure > held->departure) return add_row(s, &b, goal.cap);
-    rows_raise_right(&s->rows, sampler_row(s, &b.low, b.high.lower).right);
+    rows_raise_right(&s->rows, sampler_row(s, &b.low, b.after).right);
     return TDSP_OK;
 }
 

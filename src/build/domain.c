@@ -119,10 +119,11 @@ static tdsp_status try_seed(domain *d, probe *p, double seed, sample *high, int 
 /* The last departure with an answer, to the stated resolution, between d->last, which has one, and high, which has none. */
 static tdsp_status close_end(domain *d, probe *p, double seed, sample *high)
 {
-    bracket b = {d->last, *high};
+    bracket b = {.low = d->last, .high = *high};
     trail t = trail_begin(&b.low, &b.high);
     inversion goal = {.cap = DBL_MAX, .room = DBL_MAX, .anchor = -INFINITY, .width = resolution(p, &b.low)};
     goal.seed = seed > b.low.departure ? seed : NAN;
+    goal.asked = INFINITY;
     tdsp_status status = invert(p, &goal, &t, &b);
     if (status != TDSP_OK) return status;
     d->last = b.low;

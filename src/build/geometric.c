@@ -7,7 +7,8 @@
  * is after b_(i-1), and not over a_i. Where A jumps over several a_i their rows coincide and one is kept.
  *
  * Rounding: let m(a) bound noise and comparisons at an arrival of a. A row ends within 1.5 m under its a_i or at a jump over it, so its
- * right side certifies at least a_i - 3.5 m, and a_i = (1 + eps) (a_(i-1) - 5 m) keeps the guarantee.
+ * right side certifies at least a_i - 18.5 m, of which 16 m are allowed for at a jump that a reverse call certifies, and
+ * a_i = (1 + eps) (a_(i-1) - 20 m) keeps the guarantee.
  *
  * Rows do not depend on each other: they are solved in batches of a fixed size, each from what was known before its batch, and
  * then added in order. So the bytes do not depend on how many workers there are, or on who is first. Without workers a row is added at
@@ -21,7 +22,8 @@
 #include "scene/allocator.h"
 
 #define BATCH 16
-#define LOSS 5.0
+#define GIVE 16.0
+#define LOSS 20.0
 #define WINDOW 1.5
 #define ASKED 1.25
 
@@ -80,10 +82,11 @@ static tdsp_status take_targets(geometric *g)
 }
 
 /* Where the oracle can be asked backwards, its answer is the place to begin. */
-static tdsp_status seed_of(probe *p, double target, double *seed)
+static tdsp_status seed_of(probe *p, inversion *goal)
 {
-    *seed = NAN;
-    return p->oracle->latest_departure ? probe_reverse(p, target - ASKED * probe_margin(p, target), seed) : TDSP_OK;
+    goal->seed = NAN;
+    goal->asked = goal->cap - ASKED * probe_margin(p, goal->cap);
+    return p->oracle->latest_departure ? probe_reverse(p, goal->asked, &goal->seed) : TDSP_OK;
 }
 
 static tdsp_status solve(const geometric *g, probe *p, slot *out)
@@ -91,13 +94,14 @@ static tdsp_status solve(const geometric *g, probe *p, slot *out)
     double margin = probe_margin(p, out->target);
     inversion goal = {.cap = out->target,
                       .slack = WINDOW * margin,
+                      .give = GIVE * margin,
                       .room = out->target - g->batch_base.ceiling,
                       .anchor = -INFINITY,
                       .after = g->batch_base.departure};
-    tdsp_status status = seed_of(p, out->target, &goal.seed);
+    tdsp_status status = seed_of(p, &goal);
     if (status != TDSP_OK) return status;
     trail t = g->batch_trail;
-    out->bracket = (bracket){g->batch_base, g->sampler->domain.last};
+    out->bracket = (bracket){.low = g->batch_base, .high = g->sampler->domain.last};
     p->path.departure = -1;
     status = invert(p, &goal, &t, &out->bracket);
     int is_row = out->bracket.low.departure > g->sampler->rows.held.departure;
@@ -123,9 +127,8 @@ static tdsp_status merge(geometric *g, slot *solved)
     const bracket *b = &solved->bracket;
     if (!sample_fits(&g->base, solved->target)) return TDSP_OK;
     if (solved->status != TDSP_OK) return solved->status;
-    int closed = bracket_is_closed(b);
-    const sample *after = closed ? &b->high : &b->low;
-    row next = sampler_row(s, &b->low, after->lower);
+    const sample *after = b->jumps ? &b->high : &b->low;
+    row next = sampler_row(s, &b->low, b->after);
     if (next.departure <= s->rows.held.departure) {
         if (next.departure < s->rows.held.departure) return TDSP_OK;
         rows_raise_right(&s->rows, next.right);
@@ -135,7 +138,7 @@ static tdsp_status merge(geometric *g, slot *solved)
     }
     s->probe.settled = next.departure;
     g->base = *after;
-    if (closed)
+    if (b->jumps)
         trail_restart(&g->trail, after);
     else
         trail_note(&g->trail, after);

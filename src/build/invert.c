@@ -10,8 +10,11 @@
  *            jump for any a inside it. With values T and the cap at travel time c, a = low + c never leaves { T <= c }, and hits
  *            the jump at J when T(J) <= c - (J - low); a = high + c hits it when T(J+) > c + (high - J). The one with more room is
  *            asked, once the bracket is narrower than that room. With values A, a = c is the answer itself.
- *   gallop   from a reverse answer, whose distance to the forward function's own jump is the oracle's error: next double
- *            first, then steps that grow by 16, then halving between the last two. A jump farther away than the error is another one.
+ *   gallop   from a reverse answer at a jump, whose distance to the forward function's own jump is the oracle's error: upwards a few
+ *            errors first, then growing steps; downwards, and where no error is stated, the next double first. A jump farther away
+ *            than the error is another one.
+ *   seal     a gallop has crossed the jump: one more reverse call certifies the value right after it (seal.h), and the bracket need not
+ *            be narrowed. Where that fails, halving to neighbouring doubles settles it.
  */
 #include "build/invert.h"
 
@@ -21,14 +24,19 @@
 #include <string.h>
 
 #include "base/round.h"
+#include "build/seal.h"
 
 #define GALLOP_GROWTH 16
+#define CLIMB_GROWTH 4   /* upwards, where each step is one that forward calls may take the wrong side of */
+#define FIRST_CLIMB 2    /* stated errors */
+#define SLOPE 0.25      /* to be expected of values after a jump */
+#define SEALS 3u         /* a row */
 #define STALLED 2u
+#define EARLY 2u /* reversals that need no two steps in vain */
 #define FAR_RATIO 4
-#define NEAR 64     /* blurs */
 #define PATIENCE 8u /* halvings towards 0 before the bits are halved instead */
 
-typedef enum gait { STEADY, SEEDED, GALLOPING } gait;
+typedef enum gait { STEADY, SEEDED, GALLOPING, SEALING } gait;
 
 typedef struct hunt {
     probe *probe;
@@ -39,9 +47,13 @@ typedef struct hunt {
     int from_low; /* galloping upwards from low, else downwards from high */
     double reach; /* the next distance of a gallop */
     double seed;
+    double asked; /* the arrival whose latest departure the seed is */
+    seal known;   /* from sealing */
+    unsigned seals;
     unsigned calls;
     unsigned stalls; /* steps in a row that brought the value no nearer to the aim */
     unsigned reversals;
+    int missed; /* a guess was over the aim by more than it hoped to gain */
     double width; /* of the bracket three calls ago */
 } hunt;
 
@@ -64,6 +76,7 @@ static double tolerance(const inversion *goal, const sample *s)
 
 static int is_over(const hunt *h)
 {
+    if (h->bracket->jumps) return 1;
     const sample *low = &h->bracket->low;
     double rest = h->goal->cap - low->ceiling;
     int late_enough = low->departure > h->goal->after && rest <= tolerance(h->goal, low) && rest < h->goal->room / 2;
@@ -112,7 +125,7 @@ static double steer(const hunt *h)
     return usable ? low->departure + share * (high->departure - low->departure) : midpoint(h);
 }
 
-/* The arrival to ask a reverse call for, or NaN while the bracket is too wide to be sure of the jump. */
+/* The arrival to ask a reverse call for, or NaN while the bracket is too wide to hope for the jump. */
 static double arrival_inside_jump(const hunt *h)
 {
     const bracket *b = h->bracket;
@@ -121,13 +134,48 @@ static double arrival_inside_jump(const hunt *h)
     double below = most - b->low.value;
     double above = b->high.value - most;
     double width = b->high.departure - b->low.departure;
-    if (fmax(below, above) < width) return NAN;
-    return most + (below >= above ? b->low.departure : b->high.departure);
+    if (below >= width && below >= above) return most + b->low.departure;
+    double least = b->high.departure - below;
+    double latest = b->low.departure + above;
+    return latest >= least ? most + least + (latest - least) / 4 : NAN;
 }
 
 static int may_reverse(const hunt *h)
 {
     return h->probe->oracle->latest_departure && h->reversals < h->goal->reversals && isfinite(h->bracket->high.value);
+}
+
+static int may_seal(const hunt *h)
+{
+    int able = h->probe->oracle->latest_departure && h->goal->give > 0 && h->seals < SEALS;
+    return able && isfinite(h->bracket->high.value);
+}
+
+/* A step beyond the stated error; 0 where none is stated. */
+static double climb(const hunt *h, const sample *s)
+{
+    double travel = h->probe->by_arrival ? s->value - s->departure : s->value;
+    const tdsp_oracle *oracle = h->probe->oracle;
+    return FIRST_CLIMB * oracle->error * (travel + oracle->time_scale);
+}
+
+/* A gallop upwards starts beyond the stated error, downwards at the neighbouring double. */
+static double first_reach(const hunt *h, const sample *s)
+{
+    return h->from_low && may_seal(h) ? climb(h, s) : 0;
+}
+
+/* The value is known to jump right after low. */
+static void gallop_from_low(hunt *h)
+{
+    h->gait = GALLOPING;
+    h->from_low = 1;
+    h->reach = first_reach(h, &h->bracket->low);
+}
+
+static double gallop(const hunt *h)
+{
+    return h->from_low ? h->bracket->low.departure + h->reach : h->bracket->high.departure - h->reach;
 }
 
 static tdsp_status ask_reverse(hunt *h, double *t)
@@ -136,17 +184,17 @@ static tdsp_status ask_reverse(hunt *h, double *t)
     double arrival = may_reverse(h) ? arrival_inside_jump(h) : NAN;
     if (isnan(arrival)) return TDSP_OK;
     double found;
+    h->missed = 0;
     tdsp_status status = probe_reverse(h->probe, arrival, &found);
     if (status != TDSP_OK) return status;
     h->reversals++;
     h->gait = SEEDED;
+    h->asked = arrival;
     *t = found;
+    if (found > h->bracket->low.departure) return TDSP_OK;
+    gallop_from_low(h);
+    *t = gallop(h);
     return TDSP_OK;
-}
-
-static double gallop(const hunt *h)
-{
-    return h->from_low ? h->bracket->low.departure + h->reach : h->bracket->high.departure - h->reach;
 }
 
 static tdsp_status choose(hunt *h, double *t)
@@ -157,7 +205,7 @@ static tdsp_status choose(hunt *h, double *t)
         *t = h->seed;
     else if (h->gait == GALLOPING)
         *t = gallop(h);
-    else if (h->stalls >= STALLED)
+    else if (h->stalls >= STALLED || (h->missed && h->reversals < EARLY))
         return ask_reverse(h, t);
     else if (h->calls % 3 == 2 && width > h->width / 2)
         *t = midpoint(h);
@@ -174,22 +222,63 @@ static double clamped(const bracket *b, double t)
 }
 
 /*
- * After a seed or a step of a gallop. A seed whose value is nearly right lies on a continuous piece: steer on. The first step is to the neighbouring double, the second as long as errors are likely to be.
+ * What the answer at a seed means. One that arrives when it was asked to lies on a continuous piece: steer on. One that arrives earlier ends
+ * at a jump, its row's own if it fits. One that arrives later contradicts the reverse answer: the jump is a little earlier.
  */
+static void judge_seed(hunt *h, sample *s, int fits)
+{
+    double arrival = h->probe->by_arrival ? s->value : s->departure + s->value;
+    double early = h->asked - arrival;
+    double blur = probe_blur(h->probe, s);
+    int gallops = fits ? !(early <= blur) : !(early >= -blur);
+    h->gait = gallops ? GALLOPING : STEADY;
+    h->from_low = fits;
+    h->reach = first_reach(h, s);
+    if (early > blur) s->beyond = h->asked - (h->probe->by_arrival ? 0 : s->departure);
+    if (early > blur && !fits) trail_restart(h->trail, &h->bracket->low);
+    if (h->seals > 0 && !fits && may_seal(h)) h->gait = SEALING;
+}
+
+/* A step of a gallop: the second one downwards is as long as errors are likely to be. */
 static void pace_gallop(hunt *h, const sample *s, int fits)
 {
-    if (h->gait == SEEDED) {
-        int near = fabs(s->value - aim(h)) <= NEAR * probe_blur(h->probe, s);
-        h->gait = near ? STEADY : GALLOPING;
-        h->from_low = fits;
-        h->reach = 0;
-    } else if (h->gait == GALLOPING) {
-        double most = probe_blur(h->probe, s);
-        int crossed = fits != h->from_low;
-        if (crossed) h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
-        if (crossed || h->reach > most) h->gait = STEADY;
-        h->reach = fmax(h->reach * GALLOP_GROWTH, most / 4096);
-    }
+    double most = probe_blur(h->probe, s);
+    int crossed = fits != h->from_low;
+    if (crossed) h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
+    if (crossed || h->reach > most) h->gait = crossed && may_seal(h) ? SEALING : STEADY;
+    double growth = h->from_low && may_seal(h) ? CLIMB_GROWTH : GALLOP_GROWTH;
+    h->reach = fmax(h->reach * growth, most / 4096);
+}
+
+/* A jump may have been come by without a gallop. */
+static int is_narrow(const hunt *h)
+{
+    const bracket *b = h->bracket;
+    return b->high.departure - b->low.departure <= climb(h, &b->low);
+}
+
+/* Is the jump right after low certified by what is known? */
+static void apply_seal(hunt *h)
+{
+    bracket *b = h->bracket;
+    if (isnan(h->known.departure)) return;
+    b->jumps = seal_holds(h->probe, &h->known, &b->low, &b->high, h->goal->give, &b->after);
+}
+
+/* Try to certify the right side of the jump. The answer to a question in vain is where to look next, if it is in the bracket. */
+static tdsp_status try_seal(hunt *h)
+{
+    const bracket *b = h->bracket;
+    h->gait = STEADY;
+    h->seals++;
+    tdsp_status status = seal_ask(h->probe, &b->low, &b->high, SLOPE, h->goal->give, &h->known);
+    if (status != TDSP_OK) return status;
+    apply_seal(h);
+    if (b->jumps || !(h->known.departure > b->low.departure) || !(h->known.departure < b->high.departure)) return TDSP_OK;
+    h->gait = SEEDED;
+    h->seed = h->known.departure;
+    h->asked = h->known.arrival;
+    return TDSP_OK;
 }
 
 static tdsp_status learn(hunt *h, const sample *s)
@@ -199,27 +288,44 @@ static tdsp_status learn(hunt *h, const sample *s)
     double target = aim(h);
     int stalled = fabs(s->value - target) >= 0.75 * fabs(side->value - target);
     h->stalls = stalled ? h->stalls + 1 : 0;
+    if (h->gait == STEADY && !fits) h->missed |= s->value - target > 3 * (target - h->bracket->low.value);
     h->calls++;
-    pace_gallop(h, s, fits);
     *side = *s;
+    if (h->gait == SEEDED)
+        judge_seed(h, side, fits);
+    else if (h->gait == GALLOPING)
+        pace_gallop(h, side, fits);
+    if (h->gait == STEADY && may_seal(h) && is_narrow(h)) h->gait = SEALING;
+    if (fits) apply_seal(h);
     trail_note(h->trail, s);
     if (fits) return probe_keep_path(h->probe, s);
-    trail_push_ahead(h->trail, s);
+    trail_push_ahead(h->trail, side);
     return TDSP_OK;
+}
+
+static tdsp_status step(hunt *h)
+{
+    const bracket *b = h->bracket;
+    double departure;
+    sample s;
+    tdsp_status status = choose(h, &departure);
+    if (status != TDSP_OK) return status;
+    status = probe_between(h->probe, &b->low, &b->high, clamped(b, departure), &s);
+    return status == TDSP_OK ? learn(h, &s) : status;
 }
 
 tdsp_status invert(probe *p, const inversion *goal, trail *t, bracket *b)
 {
-    hunt h = {.probe = p, .goal = goal, .trail = t, .bracket = b, .seed = goal->seed};
+    hunt h = {.probe = p, .goal = goal, .trail = t, .bracket = b, .seed = goal->seed, .asked = goal->asked, .known = {NAN, NAN}};
     h.gait = isnan(goal->seed) ? STEADY : SEEDED;
+    if (b->low.beyond > (b->low.value + goal->cap) / 2) gallop_from_low(&h);
+    b->jumps = 0;
     while (!is_over(&h)) {
-        double departure;
-        tdsp_status status = choose(&h, &departure);
-        if (status != TDSP_OK) return status;
-        sample s;
-        status = probe_between(p, &b->low, &b->high, clamped(b, departure), &s);
-        if (status == TDSP_OK) status = learn(&h, &s);
+        tdsp_status status = h.gait == SEALING ? try_seal(&h) : step(&h);
         if (status != TDSP_OK) return status;
     }
+    if (b->jumps) return TDSP_OK;
+    b->jumps = bracket_is_closed(b);
+    b->after = b->jumps ? b->high.lower : b->low.lower;
     return TDSP_OK;
 }

@@ -14,14 +14,21 @@ typedef struct inversion {
     double room;        /* from the ceiling where the row starts to the cap: a row that has used less than half of it goes on */
     double width;       /* stop when the bracket is no wider; 0 for neighbouring doubles */
     double after;       /* a row must end later than this, unless the bracket closes there */
-    double seed;        /* a departure to try first, near a jump; NaN for none */
+    double give;        /* how far the bound right after a jump may lie under the value that shows the jump; 0: settle each jump to doubles */
+    double seed;        /* a departure to try first, which the oracle answered to `asked`; NaN for none */
+    double asked;
     unsigned reversals; /* how often oracle->latest_departure may be asked */
 } inversion;
 
-/* `low` fits under the cap, `high` does not. At the end either they are neighbouring doubles, or low is within the slack. */
+/*
+ * `low` fits under the cap, `high` does not. At the end either low is within the slack, or the value jumps right after it, which
+ * neighbouring doubles show or a reverse call.
+ */
 typedef struct bracket {
     sample low;
     sample high;
+    double after; /* when inverted: a certified lower bound of the value right after low; no value after low lies under it */
+    int jumps;    /* when inverted: the value jumps right after low, and at high it is hardly more than `after` */
 } bracket;
 
 int sample_fits(const sample *s, double cap);

@@ -25,7 +25,7 @@ static double noise(const tdsp_oracle *oracle, double travel, double arrival)
 
 static sample sample_without_way(double departure, tdsp_status why)
 {
-    return (sample){departure, INFINITY, INFINITY, INFINITY, INFINITY, why};
+    return (sample){departure, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, why};
 }
 
 static sample sample_of(const probe *p, double departure, double arrival)
@@ -36,7 +36,7 @@ static sample sample_of(const probe *p, double departure, double arrival)
     double e = travel > 0 ? noise(p->oracle, travel, arrival) : 0;
     double upper = value + e;
     double ceiling = travel > 0 ? upper + COMPARING * arrival : upper;
-    return (sample){departure, value, fmax(value - e, least), upper, ceiling, TDSP_OK};
+    return (sample){departure, value, fmax(value - e, least), upper, ceiling, value, TDSP_OK};
 }
 
 int probe_means_no_way(tdsp_status status)

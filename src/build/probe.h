@@ -25,6 +25,7 @@ typedef struct sample {
     double lower;       /* certified: value less the noise */
     double upper;       /* certified: value and the noise */
     double ceiling;     /* over upper by what the arithmetic of comparing bounds may lose */
+    double beyond;      /* a hint: values right after seem to be over this */
     tdsp_status status; /* TDSP_OK, or why there is no way */
 } sample;
 

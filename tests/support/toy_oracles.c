@@ -167,6 +167,8 @@ static tdsp_status reverse(void *ctx, double arrival, double *departure)
     double found = isinf(arrival) ? toy_last(t) : inverse(t, arrival, !t->by_arrival);
     if (found < 0) return TDSP_ARRIVAL_TOO_EARLY;
     *departure = due && t->fault == TOY_REVERSE_NAN ? NAN : found;
+    int lies = t->lie != 0 && t->reverse_calls >= t->lie_from && (t->lie_to == 0 || t->reverse_calls < t->lie_to);
+    if (lies && isfinite(arrival)) *departure = fmax(found + t->lie, 0);
     return TDSP_OK;
 }
 

@@ -41,6 +41,9 @@ typedef struct toy {
     double error;       /* stated; the noise stays within it */
     double time_scale;
     double blur; /* the forward function jumps this much later than latest_departure says */
+    double lie;        /* added to what latest_departure says of a finite arrival, ... */
+    uint64_t lie_from; /* ... from this reverse call on, ... */
+    uint64_t lie_to;   /* ... and before this one; 0 for never ending */
     toy_fault fault;
     uint64_t fault_at; /* forward or reverse call, from 1 */
     uint64_t forward_calls;

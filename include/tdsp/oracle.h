@@ -30,7 +30,8 @@ typedef struct tdsp_oracle {
     tdsp_monotone monotone;
     double error; /* stated error, 0 to 0.1: |returned A(t) - true A(t)| <= error * (T(t) + time_scale); default 0. Eight half units
                      of rounding of A are allowed for besides. An arrival equal to its departure is taken as exact. Where A jumps, the side
-                     may be mistaken for departures as near to the jump as ten times this (with A(t) for T(t)). */
+                     may be mistaken for departures as near to the jump as ten times this (with A(t) for T(t)): by earliest_arrival, by
+                     latest_departure in the place of the jump, and so by the interval of a table, which is certified elsewhere. */
     double time_scale; /* a time that is typical of the problem, e.g. |sd| / speed; not negative; default 0 */
 
     /* A(t) for t >= 0: TDSP_OK and *arrival, finite and not before the departure; or TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED,

@@ -55,8 +55,7 @@ static tdsp_status add_row(sampler *s, const bracket *b, double cap)
 /* Samples ahead that fit are where the row goes at least. Returns 1 when that is the end of the domain. */
 static int pass_known(trail *t, double cap, bracket *b)
 {
-    while (t->ahead_count > 0 && sample_fits(&t->ahead[t->ahead_count - 1], cap))
-        b->low = t->ahead[--t->ahead_count];
+    while (t->ahead_count > 0 && sample_fits(&t->ahead[t->ahead_count - 1], cap)) b->low = t->ahead[--t->ahead_count];
     if (t->ahead_count == 0) return 1;
     b->high = t->ahead[t->ahead_count - 1];
     return 0;
@@ -92,7 +91,6 @@ tdsp_status sampler_adaptive(sampler *s)
     tdsp_status status = rows_add(&s->rows, &first, &s->domain.first_path);
     trail t = trail_begin(&base, &s->domain.last);
     int ended = s->domain.last.departure == 0;
-    while (status == TDSP_OK && !ended)
-        status = step(s, &t, &base, &ended);
+    while (status == TDSP_OK && !ended) status = step(s, &t, &base, &ended);
     return status == TDSP_OK ? sampler_finish(s) : status;
 }

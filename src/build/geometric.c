@@ -57,8 +57,7 @@ static double skip_targets(double a, double ratio, double limit)
 {
     double power[64];
     size_t n = 0;
-    for (double square = ratio; n < 64 && a * square <= limit; square *= square)
-        power[n++] = square;
+    for (double square = ratio; n < 64 && a * square <= limit; square *= square) power[n++] = square;
     while (n > 0) {
         double skipped = a * power[--n];
         if (skipped <= limit) a = skipped;
@@ -148,12 +147,10 @@ static tdsp_status merge(geometric *g, slot *solved)
 static tdsp_status run_parallel(geometric *g)
 {
     const tdsp_build_options *options = g->sampler->options;
-    for (size_t i = 0; i < g->count; i++)
-        g->slots[i].status = TDSP_FAILED; /* until it was run */
+    for (size_t i = 0; i < g->count; i++) g->slots[i].status = TDSP_FAILED; /* until it was run */
     options->run_tasks(options->run_tasks_ctx, solve_task, g, g->count);
     tdsp_status status = TDSP_OK;
-    for (size_t i = 0; i < g->count && status == TDSP_OK; i++)
-        status = merge(g, &g->slots[i]);
+    for (size_t i = 0; i < g->count && status == TDSP_OK; i++) status = merge(g, &g->slots[i]);
     return status == TDSP_OK ? probe_report_progress(&g->sampler->probe) : status;
 }
 
@@ -187,16 +184,14 @@ static tdsp_status begin_probes(geometric *g)
     g->probes = memory_array(&s->probe.allocator, options->worker_count, sizeof *g->probes);
     if (!g->probes) return TDSP_NO_MEMORY;
     g->probe_count = options->worker_count;
-    for (size_t i = 0; i < g->probe_count; i++)
-        g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
+    for (size_t i = 0; i < g->probe_count; i++) g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
     return TDSP_OK;
 }
 
 static void end_probes(geometric *g)
 {
     sampler *s = g->sampler;
-    for (size_t i = 0; i < BATCH; i++)
-        kept_path_release(&g->slots[i].path, &s->probe.allocator);
+    for (size_t i = 0; i < BATCH; i++) kept_path_release(&g->slots[i].path, &s->probe.allocator);
     if (g->probes == &s->probe || !g->probes) return;
     for (size_t i = 0; i < g->probe_count; i++) {
         s->probe.forward_calls += g->probes[i].forward_calls;
@@ -225,8 +220,7 @@ tdsp_status sampler_geometric(sampler *s)
     const sample *first = &s->domain.first;
     if (!(first->lower > 0)) return TDSP_NOT_SUPPORTED;
     geometric g = {.sampler = s, .base = *first, .trail = trail_begin(first, &s->domain.last), .target = first->lower};
-    for (size_t i = 0; i < BATCH; i++)
-        g.slots[i].path = kept_path_none();
+    for (size_t i = 0; i < BATCH; i++) g.slots[i].path = kept_path_none();
     tdsp_status status = begin_probes(&g);
     if (status == TDSP_OK) status = sample_all(&g);
     end_probes(&g);

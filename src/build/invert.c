@@ -27,10 +27,10 @@
 #include "build/seal.h"
 
 #define GALLOP_GROWTH 16
-#define CLIMB_GROWTH 4   /* upwards, where each step is one that forward calls may take the wrong side of */
-#define FIRST_CLIMB 2    /* stated errors */
-#define SLOPE 0.25      /* to be expected of values after a jump */
-#define SEALS 3u         /* a row */
+#define CLIMB_GROWTH 4 /* upwards, where each step is one that forward calls may take the wrong side of */
+#define FIRST_CLIMB 2  /* stated errors */
+#define SLOPE 0.25     /* to be expected of values after a jump */
+#define SEALS 3u       /* a row */
 #define STALLED 2u
 #define EARLY 2u /* reversals that need no two steps in vain */
 #define FAR_RATIO 4
@@ -53,7 +53,7 @@ typedef struct hunt {
     unsigned calls;
     unsigned stalls; /* steps in a row that brought the value no nearer to the aim */
     unsigned reversals;
-    int missed; /* a guess was over the aim by more than it hoped to gain */
+    int missed;   /* a guess was over the aim by more than it hoped to gain */
     double width; /* of the bracket three calls ago */
 } hunt;
 

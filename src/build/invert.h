@@ -8,14 +8,15 @@
 #include "build/trail.h"
 
 typedef struct inversion {
-    double cap;         /* a departure belongs to the row while its sample's ceiling is not over this */
-    double slack;       /* stop when the ceiling is no farther under the cap than this ... */
-    double anchor;      /* ... and than the way from this departure; -INFINITY to waive */
-    double room;        /* from the ceiling where the row starts to the cap: a row that has used less than half of it goes on */
-    double width;       /* stop when the bracket is no wider; 0 for neighbouring doubles */
-    double after;       /* a row must end later than this, unless the bracket closes there */
-    double give;        /* how far the bound right after a jump may lie under the value that shows the jump; 0: settle each jump to doubles */
-    double seed;        /* a departure to try first, which the oracle answered to `asked`; NaN for none */
+    double cap;    /* a departure belongs to the row while its sample's ceiling is not over this */
+    double slack;  /* stop when the ceiling is no farther under the cap than this ... */
+    double anchor; /* ... and than the way from this departure; -INFINITY to waive */
+    double room;   /* from the ceiling where the row starts to the cap: a row that has used less than half of it goes on */
+    double width;  /* stop when the bracket is no wider; 0 for neighbouring doubles */
+    double after;  /* a row must end later than this, unless the bracket closes there */
+    double
+        give; /* how far the bound right after a jump may lie under the value that shows the jump; 0: settle each jump to doubles */
+    double seed; /* a departure to try first, which the oracle answered to `asked`; NaN for none */
     double asked;
     unsigned reversals; /* how often oracle->latest_departure may be asked */
 } inversion;

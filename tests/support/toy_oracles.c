@@ -82,8 +82,7 @@ double toy_inverse(const toy *t, long double cap)
 static size_t piece_of(const toy *t, double departure)
 {
     size_t i = 0;
-    while (i < t->count && departure > t->pieces[i].until)
-        i++;
+    while (i < t->count && departure > t->pieces[i].until) i++;
     return i;
 }
 
@@ -113,27 +112,14 @@ static double computed_arrival(const toy *t, double departure)
 static tdsp_status faulty(const toy *t, double departure, double *arrival)
 {
     switch (t->fault) {
-    case TOY_FALLS:
-        *arrival = departure + 0.9 * (*arrival - departure);
-        return TDSP_OK;
-    case TOY_NAN:
-        *arrival = NAN;
-        return TDSP_OK;
-    case TOY_INFINITE:
-        *arrival = INFINITY;
-        return TDSP_OK;
-    case TOY_EARLY:
-        *arrival = departure - 1e-6;
-        return TDSP_OK;
-    case TOY_NEGATIVE:
-        *arrival = -1;
-        return TDSP_OK;
-    case TOY_ODD_ANSWER:
-        return TDSP_ARRIVAL_TOO_EARLY;
-    case TOY_ERROR:
-        return TDSP_FAILED;
-    default:
-        return TDSP_OK;
+    case TOY_FALLS: *arrival = departure + 0.9 * (*arrival - departure); return TDSP_OK;
+    case TOY_NAN: *arrival = NAN; return TDSP_OK;
+    case TOY_INFINITE: *arrival = INFINITY; return TDSP_OK;
+    case TOY_EARLY: *arrival = departure - 1e-6; return TDSP_OK;
+    case TOY_NEGATIVE: *arrival = -1; return TDSP_OK;
+    case TOY_ODD_ANSWER: return TDSP_ARRIVAL_TOO_EARLY;
+    case TOY_ERROR: return TDSP_FAILED;
+    default: return TDSP_OK;
     }
 }
 

@@ -40,7 +40,7 @@ typedef struct toy {
     tdsp_status reason; /* after the last departure */
     double error;       /* stated; the noise stays within it */
     double time_scale;
-    double blur; /* the forward function jumps this much later than latest_departure says */
+    double blur;       /* the forward function jumps this much later than latest_departure says */
     double lie;        /* added to what latest_departure says of a finite arrival, ... */
     uint64_t lie_from; /* ... from this reverse call on, ... */
     uint64_t lie_to;   /* ... and before this one; 0 for never ending */

@@ -86,8 +86,7 @@ static void check_worlds(tdsp_guarantee guarantee, int forward_only, double erro
 {
     size_t count;
     const toy_world *worlds = toy_worlds(&count);
-    for (size_t i = 0; i < count; i++)
-        check_adaptive(&worlds[i], guarantee, forward_only, error);
+    for (size_t i = 0; i < count; i++) check_adaptive(&worlds[i], guarantee, forward_only, error);
 }
 
 static void travel_rows_are_certified_and_few(void **state)
@@ -168,12 +167,10 @@ static void geometric_rows_are_certified_and_adaptive_never_needs_more(void **st
     size_t count;
     const toy_world *worlds = toy_worlds(&count);
     for (size_t i = 0; i < count; i++)
-        for (int mode = 0; mode < 4; mode++)
-            check_geometric(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
+        for (int mode = 0; mode < 4; mode++) check_geometric(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
     worlds = toy_networks(&count);
     for (size_t i = 0; i < count; i++)
-        for (int mode = 0; mode < 4; mode++)
-            check_geometric(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
+        for (int mode = 0; mode < 4; mode++) check_geometric(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
 }
 
 /* Every jump larger than the bound is in the table, in order, with both of its sides. */

@@ -27,6 +27,11 @@ geom_tangent tangent_make(const geom_pair *pair, int side, int to_side, int root
     return tangent;
 }
 
+static int tangent_is_concentric(const geom_tangent *tangent, double time)
+{
+    return tangent->distance <= CONCENTRIC * (disc_radius(tangent->from, time) + disc_radius(tangent->to, time));
+}
+
 static double tangent_k(const geom_tangent *tangent, double time)
 {
     return disc_radius(tangent->from, time) * tangent->cos_alpha - disc_radius(tangent->to, time);
@@ -54,6 +59,13 @@ double tangent_heading(const geom_tangent *tangent, double time)
     double k = tangent_k(tangent, time);
     double fan = atan2(tangent_reach(tangent, k), k); /* acos(k / |D|) */
     return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * fan);
+}
+
+double tangent_normal(const geom_tangent *tangent, double angle, double time)
+{
+    double reach = tangent_reach(tangent, tangent_k(tangent, time));
+    if (tangent_is_concentric(tangent, time) || fabs(tangent_w(tangent, time)) >= reach) return angle;
+    return tangent_heading(tangent, time) - tangent->side * tangent->from->theta;
 }
 
 double tangent_length(const geom_tangent *tangent, double time)
@@ -218,8 +230,7 @@ static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, 
 
 int tangent_leave(const geom_tangent *tangent, double angle, double t0, double t1, double *leave)
 {
-    double size = disc_radius(tangent->from, t0) + disc_radius(tangent->to, t0);
-    if (tangent->distance <= CONCENTRIC * size) return leave_concentric(tangent, t0, t1, leave);
+    if (tangent_is_concentric(tangent, t0)) return leave_concentric(tangent, t0, t1, leave);
     double ends[4];
     int pieces = tangent_domain(tangent, t0, t1, ends);
     for (int piece = 0; piece < pieces; ++piece)

@@ -55,6 +55,12 @@ int tangent_domain(const geom_tangent *tangent, double t0, double t1, double end
 /* The direction of the leg for a departure at `time` inside the domain. */
 double tangent_heading(const geom_tangent *tangent, double time);
 
+/*
+ * The rider's normal at a departure that was solved for, `angle` being where the ride itself says it is. Of the ride and the departure point
+ * the one decides that moves less in an ulp of time: on a pebble the ride spins, near |k| = 1 the departure point does.
+ */
+double tangent_normal(const geom_tangent *tangent, double angle, double time);
+
 /* The leg's length for a departure at `time` inside the domain, not negative. */
 double tangent_length(const geom_tangent *tangent, double time);
 

@@ -10,6 +10,9 @@ enum { LABEL_LEG = 0, LABEL_RIDE = 1, LABEL_START = 2 };
 /* A disc that holds the goal within this depth at the moment of contact is the one that covers it. */
 #define COVERS_GOAL 1e-12
 
+/* A boundary smaller than this is no place to ride: nobody has to go round it. */
+#define LEAST_RIDE 1e-15
+
 static double label_bound(void *ctx, const tdsp_label *label)
 {
     const disc_engine *engine = ctx;
@@ -112,6 +115,12 @@ static tdsp_status engine_add_ride(disc_engine *engine, engine_ride ride, uint32
     return TDSP_OK;
 }
 
+/* A point that begins to grow has no boundary to ride on yet. */
+static int engine_can_ride(const disc_engine *engine, uint32_t disc, double time)
+{
+    return disc_radius(engine_disc(engine, disc), time) > LEAST_RIDE;
+}
+
 static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
 {
     const engine_leg *leg = &engine->legs[id];
@@ -121,9 +130,8 @@ static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
         return TDSP_OK;
     }
     double arrival = leg_arrival(leg);
-    const geom_disc *disc = engine_disc(engine, leg->disc);
-    double normal = leg->heading - leg->side * disc->theta;
-    if (disc_radius(disc, arrival) == 0.0) return TDSP_OK; /* a point that begins to grow has no boundary to ride on yet */
+    double normal = leg->heading - leg->side * engine_disc(engine, leg->disc)->theta;
+    if (!engine_can_ride(engine, leg->disc, arrival)) return TDSP_OK;
     if (sweep_covers(engine, leg->disc, leg->side, normal, arrival) || leg_blocked(engine, leg)) return TDSP_OK;
     engine_ride ride = {leg->disc, leg->side, id, ENGINE_NONE, normal, arrival, arrival, leg->bound};
     uint32_t added;
@@ -138,6 +146,7 @@ static tdsp_status expand_start(disc_engine *engine, int *done)
     if (question->seed_count == 0) return leaves_push_start(engine, done);
     for (int i = 0; i < question->seed_count && !*done; ++i) {
         const engine_seed *seed = &question->seeds[i];
+        if (!engine_can_ride(engine, seed->disc, question->time)) continue;
         tdsp_point place = disc_boundary(engine_disc(engine, seed->disc), seed->normal, question->time);
         engine_ride ride = {seed->disc,    seed->side,     ENGINE_NONE,    ENGINE_NONE,
                             seed->normal, question->time, question->time, point_distance(place, question->goal)};

@@ -19,6 +19,9 @@
 /* A(t) counts as equal to a within this share of the times at hand. */
 #define SAME_TIME 1e-11
 
+/* ... and of the times themselves, which are rounded however short the journey. */
+#define ROUNDING 1e-15
+
 /* A departure solved for backwards is this far from the forward search's own last double, at most. */
 #define STEP_BACK 1e-12
 
@@ -39,7 +42,7 @@ typedef struct latest_state {
 
 static double latest_slack(const latest_state *state, double share)
 {
-    return share * (state->solver->scene->time + state->arrival - fmax(state->best, 0.0));
+    return share * (state->solver->scene->time + state->arrival - fmax(state->best, 0.0)) + ROUNDING * state->arrival;
 }
 
 /* Ask for A(t) and learn from the answer. *status is an error or TDSP_OK. Returns 1 when t arrives by a. */
@@ -254,23 +257,24 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state 
 
 /*
  * The answer as everyone else will find it: A at the departure is asked for once more among all discs, and kept with its path. At the last moment
- * of a gap rounding may lose that path again; then the departure goes back by more and more than rounding.
+ * of a gap rounding may lose that path again, and it may put the arrival just after a; then the departure goes back by rounding, and by more
+ * each time.
  */
 static tdsp_status latest_confirm(latest_state *state)
 {
     tdsp_solver *solver = state->solver;
-    double back = latest_slack(state, STEP_BACK);
+    double back = latest_slack(state, STEP_BACK), late = 0.0;
     for (;;) {
         double found = INFINITY;
         tdsp_status status = solver_arrival(solver, state->best, &found);
         if (!tdsp_status_is_answer(status)) return status;
-        if (status == TDSP_OK && found <= state->arrival + latest_slack(state, SAME_TIME)) {
-            state->arrives = found;
-            return route_keep(solver, state->best, found);
+        if ((status == TDSP_OK && found <= state->arrival) || state->best == 0.0) {
+            state->arrives = fmin(found, state->arrival);
+            return route_keep(solver, state->best, state->arrives);
         }
-        if (state->best == 0.0) return TDSP_OK;
-        state->best = fmax(state->best - back, 0.0);
-        back *= 4.0;
+        late = fmax(2.0 * late, fmax(found - state->arrival, ROUNDING * state->arrival));
+        state->best = fmax(state->best - fmin(late, back), 0.0);
+        if (late > back) back *= 4.0;
     }
 }
 

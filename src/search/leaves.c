@@ -131,9 +131,10 @@ static tdsp_status wedge_push(leave_wedge *wedge, const geom_tangent *tangent, u
 {
     disc_engine *engine = wedge->engine;
     const geom_ride *motion = &wedge->motion;
-    double normal = ride_angle(motion, leave), heading = disc_heading(motion->disc, motion->side, normal);
+    double normal = tangent_normal(tangent, ride_angle(motion, leave), leave);
+    double heading = disc_heading(motion->disc, motion->side, normal);
     engine_leg leg = {wedge->ride, target, tangent->to_side, leave, normal, heading, tangent_length(tangent, leave), 0.0};
-    if (sky_hides_leg(&wedge->sky, heading - wedge->middle_angle, leg.length)) return TDSP_OK;
+    if (sky_hides_leg(&wedge->sky, wedge_offset(wedge, leave), leg.length)) return TDSP_OK;
     if (target != ENGINE_GOAL) {
         double reached = heading - leg.side * tangent->to->theta;
         tdsp_point place = disc_boundary(tangent->to, reached, leg_arrival(&leg));

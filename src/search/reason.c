@@ -9,22 +9,17 @@
 /* The discs are looked at this share of the times at hand before the destination is covered, so that it is free for certain. */
 #define JUST_BEFORE 1e-9
 
-typedef struct reason_question {
-    tdsp_solver *solver;
-    double departure;
-    int open;
-} reason_question;
-
-/* Is a robot on its way stopped by nothing but the destination's cover? */
-static tdsp_status ask_stopped(void *ctx, const disc_set *set)
+/*
+ * Is a robot on its way stopped by nothing but the destination's cover? This is asked among all discs at once: among fewer, what stops it first may be
+ * a disc that stands behind the cover.
+ */
+static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *open)
 {
-    reason_question *question = ctx;
-    tdsp_solver *solver = question->solver;
-    engine_question why = solver_forward_question(solver->scene, question->departure);
+    engine_question why = solver_forward_question(solver->scene, departure);
     why.explain = 1;
     why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + solver->scene->extent);
-    tdsp_status status = engine_run(&solver->engine, set, &why);
-    question->open = status == TDSP_OK && solver->engine.arrived != ENGINE_NONE;
+    tdsp_status status = engine_run(&solver->engine, &solver->scene->all, &why);
+    *open = status == TDSP_OK && solver->engine.arrived != ENGINE_NONE;
     return status;
 }
 
@@ -72,10 +67,9 @@ static tdsp_status open_at_last_moment(const tdsp_scene *scene, int *open)
 
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
-    reason_question question = {solver, departure, 0};
-    tdsp_status status = open_at_last_moment(solver->scene, &question.open);
-    if (status == TDSP_OK && !question.open)
-        status = relax_run(&solver->relaxation, &solver->engine, ask_stopped, &question);
-    if (status == TDSP_OK) *reason = question.open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
+    int open;
+    tdsp_status status = open_at_last_moment(solver->scene, &open);
+    if (status == TDSP_OK && !open) status = stopped_by_cover(solver, departure, &open);
+    if (status == TDSP_OK) *reason = open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
     return status;
 }

@@ -10,9 +10,6 @@ enum { LABEL_LEG = 0, LABEL_RIDE = 1, LABEL_START = 2 };
 /* A disc that holds the goal within this depth at the moment of contact is the one that covers it. */
 #define COVERS_GOAL 1e-12
 
-/* A boundary smaller than this is no place to ride: nobody has to go round it. */
-#define LEAST_RIDE 1e-15
-
 static double label_bound(void *ctx, const tdsp_label *label)
 {
     const disc_engine *engine = ctx;
@@ -118,7 +115,7 @@ static tdsp_status engine_add_ride(disc_engine *engine, engine_ride ride, uint32
 /* A point that begins to grow has no boundary to ride on yet. */
 static int engine_can_ride(const disc_engine *engine, uint32_t disc, double time)
 {
-    return disc_radius(engine_disc(engine, disc), time) > LEAST_RIDE;
+    return disc_radius(engine_disc(engine, disc), time) > ENGINE_LEAST_RIDE;
 }
 
 static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)

@@ -17,6 +17,9 @@
 #define ENGINE_NONE 0xffffffffu
 #define ENGINE_GOAL 0xfffffffeu /* the disc index of a leg to the goal */
 
+/* A boundary smaller than this is no place to ride: nobody has to go round it. */
+#define ENGINE_LEAST_RIDE 1e-15
+
 /* Which way time runs. */
 typedef enum engine_direction { ENGINE_FORWARD = 1, ENGINE_REVERSE = -1 } engine_direction;
 

@@ -22,14 +22,20 @@ geom_ride engine_ride_motion(const disc_engine *engine, const engine_ride *ride,
     return motion;
 }
 
-/* The end of the chunk that begins now: by angle, by one lap, by the limit, by other rides, by other discs. */
+/* When a shrinking disc is too small to ride on. */
+static double ride_vanishes(const geom_disc *disc)
+{
+    return disc->rate < 0.0 ? (ENGINE_LEAST_RIDE - disc->radius) / disc->rate : INFINITY;
+}
+
+/* The end of the chunk that begins now: by angle, by one lap, by the limit, by the disc itself, by other rides, by other discs. */
 static double chunk_end(disc_engine *engine, uint32_t r, int *ended)
 {
     const engine_ride *ride = &engine->rides[r];
     const geom_disc *disc = engine_disc(engine, ride->disc);
     double from = ride->now, full = from + spiral_duration(disc, from, chunk_angle(disc));
     double lap = ride->start + spiral_duration(disc, ride->start, GEOM_TURN);
-    double to = fmin(full, fmin(lap, engine->limit));
+    double to = fmin(fmin(full, lap), fmin(engine->limit, ride_vanishes(disc)));
     if (to > from) to = sweep_cut(engine, r, from, to);
     if (to > from) {
         geom_ride motion = engine_ride_motion(engine, ride, from, to);

@@ -28,6 +28,9 @@
 /* The proof looks this share of the times at hand past the answer. */
 #define PROOF_STEP 2e-9
 
+/* Halving leaves nothing of any interval of doubles after this. */
+#define MOST_HALVINGS 1100
+
 /* What is known so far; times in the user's units. */
 typedef struct latest_state {
     tdsp_solver *solver;
@@ -59,11 +62,14 @@ static int latest_try(latest_state *state, double departure, tdsp_status *status
         state->too_late = fmin(state->too_late, departure);
         return 0;
     }
-    double over = fmax(found - state->arrival, 0.0); /* a path moved earlier stays a path */
-    state->best = fmax(departure - over, 0.0);
-    state->arrives = fmin(found, state->arrival);
-    *status = route_keep(solver, state->best, state->arrives);
-    return *status == TDSP_OK;
+    double over = found - state->arrival;
+    if (over > 0.0) state->too_late = fmin(state->too_late, departure);
+    double earlier = fmax(departure - fmax(over, 0.0), 0.0); /* a path moved earlier stays a path */
+    if (earlier > state->best) {
+        state->best = earlier;
+        state->arrives = fmin(found, state->arrival);
+    }
+    return 1;
 }
 
 /* The same for a departure that was solved for: rounding may have put it just past what it stands for. */
@@ -172,7 +178,7 @@ static tdsp_status latest_bisect(latest_state *state)
 {
     tdsp_status status = TDSP_OK;
     state->gap = NULL;
-    while (status == TDSP_OK && state->too_late - state->best > latest_slack(state, 1e-13)) {
+    for (int step = 0; step < MOST_HALVINGS && status == TDSP_OK && state->too_late - state->best > latest_slack(state, 1e-13); ++step) {
         double middle = 0.5 * (state->best + state->too_late);
         if (middle <= state->best || middle >= state->too_late) break;
         latest_try(state, middle, &status);
@@ -215,7 +221,7 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     state->set = set;
     solver->work = state->before;
     state->best = state->arrives = -1.0;
-    state->too_late = INFINITY;
+    state->too_late = state->arrival + latest_slack(state, PROOF_STEP); /* the journey takes some time */
     state->gap = NULL;
     tdsp_status status = latest_search(state);
     solver->engine.arrived = ENGINE_NONE;

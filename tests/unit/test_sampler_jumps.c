@@ -101,7 +101,7 @@ static void stairs_take_eight_calls_a_step(void **state)
         tdsp_build_options options = with(TDSP_SAMPLING_ADAPTIVE, 0.01);
         toy_table table = toy_build(&oracle, &options);
         assert_true(table.report.forward_calls < 8 * table.report.rows);
-        assert_true(table.report.reverse_calls < 2.2 * (double)table.report.rows);
+        assert_true(table.report.reverse_calls < 11 * table.report.rows / 5);
         toy_table_free(&table);
     }
 }

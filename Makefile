@@ -290,7 +290,7 @@ unit: ## run the unit tests only
 fuzz: ## fuzz for FUZZ_SECONDS each (default 600)
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz fuzzers
-	@tests/fuzz.sh $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
+	@FUZZ_SEED=$${FUZZ_SEED:-0} tests/fuzz.sh $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
 .PHONY: fuzzers
 fuzzers: $(FUZZERS)
 

@@ -102,7 +102,6 @@ static void scene_set_frame(tdsp_scene *scene)
     double extent = scene_extent(scene), straight = point_distance(s, d);
     scene->length = fmax(straight, straight > 0.0 ? LEAST_UNIT * extent : extent);
     if (!(scene->length > 0.0)) scene->length = 1.0;
-    scene->extent = extent / scene->length;
     scene->time = scene->length / scene->journey.speed;
     scene->source = frame_point(scene, s);
     scene->destination = frame_point(scene, d);

@@ -31,7 +31,6 @@ struct tdsp_scene {
     tdsp_point origin;
     double length; /* of the frame's unit, in the user's */
     double time;   /* likewise */
-    double extent; /* of the discs' places and radii, in the frame */
     tdsp_point source; /* in the frame */
     tdsp_point destination;
     disc_set all; /* the discs that matter; origin: the index in `discs` */

@@ -3,8 +3,8 @@
 
 #include <string.h>
 
-/* A search for the reason ends this many crossings of the scene after the departure: every disc is one large wall by then. */
-#define EXPLAIN_TIME 1e3
+/* A search for the reason ends at this many times the times at hand: departure, cover of the destination, and journey. */
+#define EXPLAIN_TIME 64.0
 
 /* The discs are looked at this share of the times at hand before the destination is covered, so that it is free for certain. */
 #define JUST_BEFORE 1e-9
@@ -17,7 +17,7 @@ static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *
 {
     engine_question why = solver_forward_question(solver->scene, departure);
     why.explain = 1;
-    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + solver->scene->extent);
+    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + fabs(why.goal_until));
     tdsp_status status = engine_run(&solver->engine, &solver->scene->all, &why);
     *open = status == TDSP_OK && solver->engine.arrived != ENGINE_NONE;
     return status;

@@ -241,6 +241,70 @@ static void a_point_that_begins_to_grow_at_the_source_is_left_behind(void **stat
     world_free(w);
 }
 
+static void a_pebble_beside_the_source_makes_nothing_faster(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-8.0, 7.6428571428571432}, {-7.5, -8.0}};
+    const tdsp_disc discs[2] = {{{0.0, -3.0}, 2.5, 0.25}, {{-8.0, 0.0}, 1e-9, 0.0}};
+    const double departures[4] = {0.0, 10.0, 10.3, 10.3557};
+    for (int i = 0; i < 4; ++i)
+        assert_near(arrival_of(journey, discs, 2, departures[i]), arrival_of(journey, discs, 1, departures[i]), 1e-11);
+}
+
+static void a_disc_that_shrinks_to_a_point_backwards_is_left_in_time(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-5.5, -8.0}, {2.0, -8.0}};
+    const tdsp_disc discs[2] = {{{-8.0, -8.0}, 0.5, 0.0}, {{-5.5, -8.0}, 0.0, 0.999}};
+    world w = world_make(journey, discs, 2);
+    double departure = -1.0, arrives = -1.0;
+    assert_int_equal(tdsp_latest_departure(w.solver, 9.0, &departure, &arrives), TDSP_OK);
+    assert_exact(departure, 0.0);
+    assert_near(arrives, 7.5, 1e-11);
+    world_free(w);
+}
+
+static void times_too_many_journeys_away_are_refused(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {1.0, 0.0}};
+    const tdsp_disc growing = {{0.0, 9.0}, 1.0, 1e-14}, still = {{0.0, 9.0}, 1.0, 0.0};
+    double arrival = 77.0;
+    world w = world_make(journey, &growing, 1);
+    assert_int_equal(tdsp_earliest_arrival(w.solver, 1e13, &arrival), TDSP_NOT_SUPPORTED);
+    assert_exact(arrival, 77.0);
+    assert_int_equal(tdsp_earliest_arrival(w.solver, 1e6, &arrival), TDSP_OK);
+    assert_near(arrival, 1e6 + 1.0, 1e-9);
+    world_free(w);
+    assert_near(arrival_of(journey, &still, 1, 1e13), 1e13 + 1.0, 1e-2);
+}
+
+static void a_latest_departure_arrives_by_the_arrival_to_the_last_bit(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
+    const tdsp_disc disc = {{0.0, 0.0}, 2.0, 0.1};
+    world w = world_make(journey, &disc, 1);
+    for (int i = 0; i < 2000; ++i) {
+        double a = 30.0 + 0.0137394 * i, departure = -1.0, arrives = INFINITY;
+        assert_int_equal(tdsp_latest_departure(w.solver, a, &departure, &arrives), TDSP_OK);
+        assert_true(arrives <= a);
+    }
+    world_free(w);
+}
+
+static void halving_ends_where_a_pebble_hides_the_way_back(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-2.0000000010000001, -7.0000000010000001}, {4.1428571428571432, -3.0}};
+    const tdsp_disc discs[2] = {{{7.6428571428571432, 7.6428571428571432}, 5.0, 0.3}, {{-2.0, -7.0000000010000001}, 1.0000000000000001e-09, 0.0}};
+    world w = world_make(journey, discs, 2);
+    double departure = -1.0;
+    assert_int_equal(tdsp_latest_departure(w.solver, 7.4228952076349897, &departure, NULL), TDSP_OK);
+    assert_near(departure, 0.0925, 1e-10);
+    world_free(w);
+}
+
 static void bad_arguments_are_refused_and_touch_nothing(void **state)
 {
     (void)state;
@@ -419,6 +483,11 @@ int main(void)
         cmocka_unit_test(riders_who_come_together_do_not_both_give_way),
         cmocka_unit_test(a_pebble_late_in_time_does_not_hold_the_robot_for_ever),
         cmocka_unit_test(a_point_that_begins_to_grow_at_the_source_is_left_behind),
+        cmocka_unit_test(a_pebble_beside_the_source_makes_nothing_faster),
+        cmocka_unit_test(a_disc_that_shrinks_to_a_point_backwards_is_left_in_time),
+        cmocka_unit_test(times_too_many_journeys_away_are_refused),
+        cmocka_unit_test(a_latest_departure_arrives_by_the_arrival_to_the_last_bit),
+        cmocka_unit_test(halving_ends_where_a_pebble_hides_the_way_back),
         cmocka_unit_test(bad_arguments_are_refused_and_touch_nothing),
         cmocka_unit_test(a_path_says_how_much_room_it_needs),
         cmocka_unit_test(counters_count),

@@ -3,47 +3,20 @@
 
 #include "support/chance.h"
 #include "support/random_scene.h"
+#include "support/world.h"
 #include "tdsp/solver.h"
 #include "tdsp/verify.h"
 
 enum { LEGS = 256, DISCS = 12 };
 
-typedef struct world {
-    tdsp_scene *scene;
-    tdsp_solver *solver;
-    double unit;
-} world;
-
-static world world_make(tdsp_journey journey, const tdsp_disc *discs, size_t count)
-{
-    world w;
-    assert_int_equal(tdsp_scene_create(&journey, discs, count, NULL, &w.scene), TDSP_OK);
-    assert_int_equal(tdsp_solver_create(w.scene, &w.solver), TDSP_OK);
-    w.unit = hypot(journey.destination.x - journey.source.x, journey.destination.y - journey.source.y) / journey.speed;
-    return w;
-}
-
-static void world_free(world w)
-{
-    tdsp_solver_free(w.solver);
-    tdsp_scene_free(w.scene);
-}
-
-static double arrival(world w, double departure)
-{
-    double found = -1.0;
-    assert_true(tdsp_status_is_answer(tdsp_earliest_arrival(w.solver, departure, &found)));
-    return found;
-}
-
 /* sup { t : A(t) <= a } by halving; negative when there is none. */
 static double bisected(world w, double a)
 {
     double lo = 0.0, hi = a;
-    if (!(arrival(w, 0.0) <= a)) return -1.0;
+    if (!(world_arrival(w, 0.0) <= a)) return -1.0;
     for (int step = 0; step < 50; ++step) {
         double middle = 0.5 * (lo + hi);
-        *(arrival(w, middle) <= a ? &lo : &hi) = middle;
+        *(world_arrival(w, middle) <= a ? &lo : &hi) = middle;
     }
     return lo;
 }
@@ -53,11 +26,11 @@ static void check_inverse(world w, double a)
     double departure = -1.0, arrives = -1.0, slack = 1e-8 * (w.unit + a);
     tdsp_status status = tdsp_latest_departure(w.solver, a, &departure, &arrives);
     if (status == TDSP_ARRIVAL_TOO_EARLY) {
-        assert_true(arrival(w, 0.0) > a - slack);
+        assert_true(world_arrival(w, 0.0) > a - slack);
         return;
     }
     if (status != TDSP_OK) {
-        assert_true(isinf(arrival(w, 0.0)));
+        assert_true(isinf(world_arrival(w, 0.0)));
         return;
     }
     tdsp_leg legs[LEGS];
@@ -67,7 +40,7 @@ static void check_inverse(world w, double a)
     assert_int_equal(tdsp_verify_path(w.scene, legs, count, departure, arrives, &verdict), TDSP_OK);
     assert_int_equal(verdict.problems, 0);
     assert_true(arrives >= departure && arrives <= a);
-    assert_near(arrival(w, departure), arrives, slack);
+    assert_near(world_arrival(w, departure), arrives, slack);
     assert_near(departure, fmax(bisected(w, a), 0.0), slack);
 }
 
@@ -96,7 +69,7 @@ static void the_inverse_undoes_the_arrival(void **state)
             random_scene(seed, (random_mix)mix, DISCS, &journey, discs);
             world w = world_make(journey, discs, DISCS);
             for (int k = 0; k < 4; ++k) {
-                double t = 0.3 * k * w.unit, a = arrival(w, t), departure = -1.0;
+                double t = 0.3 * k * w.unit, a = world_arrival(w, t), departure = -1.0;
                 if (isinf(a)) break;
                 tdsp_status status = tdsp_latest_departure(w.solver, a, &departure, NULL);
                 if (status == TDSP_ARRIVAL_TOO_EARLY) assert_int_equal(k, 0);
@@ -151,8 +124,8 @@ static void an_arrival_past_the_last_answers_the_last_departure(void **state)
     assert_near(arrives, last.arrival, 1e-8 * last.arrival);
     assert_int_equal(tdsp_latest_departure(w.solver, INFINITY, &again, NULL), TDSP_OK);
     assert_exact(again, departure);
-    assert_true(isfinite(arrival(w, last.departure)));
-    assert_true(isinf(arrival(w, last.departure + 1e-6)));
+    assert_true(isfinite(world_arrival(w, last.departure)));
+    assert_true(isinf(world_arrival(w, last.departure + 1e-6)));
     world_free(w);
 }
 
@@ -170,7 +143,7 @@ static void where_nothing_ends_departures_the_last_is_infinite(void **state)
         assert_true(isinf(last.departure));
         assert_int_equal(last.reason, TDSP_OK);
         assert_int_equal(last.disc, TDSP_NO_DISC);
-        double travel = arrival(w, 0.0);
+        double travel = world_arrival(w, 0.0);
         assert_int_equal(tdsp_latest_departure(w.solver, 1000.0, &departure, &arrives), TDSP_OK);
         assert_near(departure, 1000.0 - travel, 1e-9);
         world_free(w);

@@ -4,27 +4,9 @@
 #include "search/solver.h"
 #include "support/chance.h"
 #include "support/random_scene.h"
+#include "support/world.h"
 
 enum { FAR = 80, NEAR = 20, CROWD = 300 };
-
-typedef struct world {
-    tdsp_scene *scene;
-    tdsp_solver *solver;
-} world;
-
-static world world_make(const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
-{
-    world w;
-    assert_int_equal(tdsp_scene_create(journey, discs, count, NULL, &w.scene), TDSP_OK);
-    assert_int_equal(tdsp_solver_create(w.scene, &w.solver), TDSP_OK);
-    return w;
-}
-
-static void world_free(world w)
-{
-    tdsp_solver_free(w.solver);
-    tdsp_scene_free(w.scene);
-}
 
 static uint64_t rounds(world w)
 {
@@ -78,8 +60,8 @@ static void discs_far_away_change_no_answer(void **state)
             tdsp_disc discs[NEAR], more[NEAR + FAR];
             tdsp_journey journey;
             random_scene(seed, (random_mix)mix, NEAR, &journey, discs);
-            world few = world_make(&journey, discs, NEAR);
-            world many = world_make(&journey, more, with_far_discs(discs, NEAR, &journey, more));
+            world few = world_make(journey, discs, NEAR);
+            world many = world_make(journey, more, with_far_discs(discs, NEAR, &journey, more));
             double unit = few.scene->time, free = fmin(tdsp_scene_source_free_until(few.scene, NULL), 2.0 * unit);
             assert_same_arrival(few, many, 0.0);
             assert_same_arrival(few, many, free * chance_between(&chance, 0.0, 0.9));
@@ -113,7 +95,7 @@ static void a_crowd_is_crossed_as_when_all_are_asked_at_once(void **state)
                               k % 2 ? rate : chance_between(&chance, 0.0, 0.1)};
             discs[i] = disc;
         }
-        world w = world_make(&journey, discs, CROWD);
+        world w = world_make(journey, discs, CROWD);
         for (double departure = 0.0; departure < 5.0; departure += 1.7) {
             tdsp_status status;
             assert_near(arrival(w, departure, &status), direct(w, departure), 1e-10 * (24.0 + departure));
@@ -133,10 +115,10 @@ static void an_answer_does_not_depend_on_the_questions_before(void **state)
         tdsp_disc disc = {{chance_between(&chance, -10.0, 10.0), chance_between(&chance, -10.0, 10.0)}, 0.2, chance_between(&chance, 0.0, 0.05)};
         discs[i] = disc;
     }
-    world busy = world_make(&journey, discs, CROWD);
+    world busy = world_make(journey, discs, CROWD);
     for (int k = 0; k < 10; ++k) {
         tdsp_status a, b;
-        world fresh = world_make(&journey, discs, CROWD);
+        world fresh = world_make(journey, discs, CROWD);
         double departure = chance_between(&chance, 0.0, 3.0);
         assert_exact(arrival(busy, departure, &a), arrival(fresh, departure, &b));
         assert_int_equal(a, b);
@@ -157,7 +139,7 @@ static void a_sealed_source_is_found_out_among_the_discs_that_seal_it(void **sta
         discs[i] = i < 21 ? ring : away;
     }
     tdsp_status status;
-    world w = world_make(&journey, discs, CROWD);
+    world w = world_make(journey, discs, CROWD);
     assert_true(isinf(arrival(w, 0.0, &status)));
     assert_int_equal(status, TDSP_CUT_OFF);
     tdsp_solver_work work;
@@ -184,7 +166,7 @@ static void the_last_departure_names_the_users_discs(void **state)
         discs[i] = wall;
         discs[72 + i] = other;
     }
-    world w = world_make(&journey, discs, 102);
+    world w = world_make(journey, discs, 102);
     tdsp_last_departure last;
     assert_int_equal(tdsp_solver_last_departure(w.solver, &last), TDSP_OK);
     assert_true(isfinite(last.departure) && last.departure > 9.0);

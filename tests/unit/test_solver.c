@@ -6,29 +6,11 @@
 
 #include "support/chance.h"
 #include "support/random_scene.h"
+#include "support/world.h"
 #include "tdsp/solver.h"
 #include "tdsp/verify.h"
 
 enum { LEGS = 256 };
-
-typedef struct world {
-    tdsp_scene *scene;
-    tdsp_solver *solver;
-} world;
-
-static world world_make(tdsp_journey journey, const tdsp_disc *discs, size_t count)
-{
-    world w;
-    assert_int_equal(tdsp_scene_create(&journey, discs, count, NULL, &w.scene), TDSP_OK);
-    assert_int_equal(tdsp_solver_create(w.scene, &w.solver), TDSP_OK);
-    return w;
-}
-
-static void world_free(world w)
-{
-    tdsp_solver_free(w.solver);
-    tdsp_scene_free(w.scene);
-}
 
 /* The path of the last answer is good, starts and ends as told, and its legs join to the bit. */
 static size_t check_path(world w, double departure, double arrival)

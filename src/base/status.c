@@ -58,7 +58,7 @@ const char *tdsp_status_text(tdsp_status status)
     case TDSP_INVALID_ARGUMENT: return "An argument is missing, not a number or out of its range";
     case TDSP_BUFFER_TOO_SMALL: return "The buffer is too small for the result";
     case TDSP_NO_ANSWER: return "There is no such answer";
-    case TDSP_NOT_SUPPORTED: return "This combination is not supported";
+    case TDSP_NOT_SUPPORTED: return "This oracle, guarantee, table or time is not supported";
     case TDSP_NEEDS_HORIZON: return "Nothing ever ends the departures, so a horizon is needed";
     case TDSP_TOO_MANY_ROWS: return "The guarantee needs more rows than are allowed";
     case TDSP_BAD_SCENE: return "A number of the scene is out of its range";

@@ -1,8 +1,6 @@
 /* Why there is no way: the rule is in reason.h. */
 #include "search/reason.h"
 
-#include <string.h>
-
 /* A search for the reason ends at this many times the times at hand: departure, cover of the destination, and journey. */
 #define EXPLAIN_TIME 64.0
 

@@ -23,14 +23,14 @@ struct tdsp_solver {
  */
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival);
 
-/* Is this time too many journeys away to be answered, in a scene where something grows? */
-int solver_is_far(const tdsp_scene *scene, double time);
-
-/* The engine's question behind it. */
+/* The engine's question behind solver_forward(). */
 engine_question solver_forward_question(const tdsp_scene *scene, double departure);
 
-/* The same among all discs, by relaxation. */
+/* As solver_forward() among all discs, by relaxation. */
 tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival);
+
+/* Is this time too many journeys away to be answered, in a scene where something grows? */
+int solver_is_far(const tdsp_scene *scene, double time);
 
 /* Keep the path that the last forward search found for this departure. */
 tdsp_status route_keep(tdsp_solver *solver, double departure, double arrival);

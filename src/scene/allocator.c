@@ -49,3 +49,13 @@ tdsp_status memory_reserve(const tdsp_allocator *allocator, void **block, size_t
     *capacity = grown;
     return TDSP_OK;
 }
+
+tdsp_status memory_shrink(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t count, size_t item)
+{
+    if (count >= *capacity) return TDSP_OK;
+    void *moved = memory_resize(allocator, *block, *capacity * item, count * item);
+    if (!moved && count > 0) return TDSP_NO_MEMORY;
+    *block = moved;
+    *capacity = count;
+    return TDSP_OK;
+}

@@ -23,4 +23,7 @@ void memory_free(const tdsp_allocator *allocator, void *block, size_t size);
  */
 tdsp_status memory_reserve(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t needed, size_t item);
 
+/* Give back what *block has beyond `count` items. TDSP_NO_MEMORY leaves both as they were. */
+tdsp_status memory_shrink(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t count, size_t item);
+
 #endif

@@ -1,7 +1,16 @@
-/* Discs that can never matter: the argument is in cover.h. */
+/*
+ * Discs that can never matter: the argument is in cover.h.
+ *
+ * Almost all discs can matter, and that must be cheap to see: the discs of a leaf are compared with those that overlap its box. One that
+ * lies inside another is dropped at once; one that has eight points on its boundary of which some lie in no other disc is kept. Only for the rest
+ * are the arcs of the boundary looked at that others cover.
+ *
+ * Who is dropped covers nobody from then on, so that of two equal discs one stays.
+ */
 #include "scene/cover.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* Neighbouring arcs must overlap by this angle to count as one: no hole of rounding between them. */
 #define OVERLAP 1e-9
@@ -65,15 +74,110 @@ static int arcs_close(cover_arc *arcs, size_t count)
     return reached >= GEOM_TURN;
 }
 
+/* By the arcs: is the boundary closed? */
 static int cover_enclosed(cover_job *job, const index_view *view, uint32_t self)
 {
     const geom_disc *disc = &job->items.discs[self];
-    if (disc->radius == 0.0 && disc->rate == 0.0) return 1;
     job->self = self;
     job->inside = 0;
     job->arc_count = 0;
     index_near(view, disc->center, disc->radius, 0.0, cover_visit, job);
     return job->inside || (job->arc_count > 1 && arcs_close(job->arcs, job->arc_count));
+}
+
+#define POINTS 8
+
+/* A few points on each boundary of a leaf, and which of them lie in no disc that was looked at. */
+typedef struct cover_probe {
+    tdsp_point points[INDEX_LEAF][POINTS];
+    unsigned open[INDEX_LEAF];
+    uint32_t first, count;
+    uint32_t left; /* not dropped */
+} cover_probe;
+
+static void probe_start(cover_probe *probe, cover_job *job, const index_node *leaf)
+{
+    static const double diagonal = 0.70710678118654752440;
+    static const tdsp_point unit[POINTS] = {{1.0, 0.0},  {diagonal, diagonal},   {0.0, 1.0},  {-diagonal, diagonal},
+                                            {-1.0, 0.0}, {-diagonal, -diagonal}, {0.0, -1.0}, {diagonal, -diagonal}};
+    probe->first = leaf->first;
+    probe->count = probe->left = leaf->count;
+    for (uint32_t i = 0; i < leaf->count; ++i) {
+        const geom_disc *disc = &job->items.discs[leaf->first + i];
+        probe->open[i] = (1u << POINTS) - 1u;
+        for (int p = 0; p < POINTS; ++p) probe->points[i][p] = point_along(disc->center, disc->radius, unit[p]);
+    }
+}
+
+/* The points that the disc leaves open. */
+static unsigned probe_outside(const tdsp_point *points, const geom_disc *disc)
+{
+    unsigned outside = 0;
+    double squared = disc->radius * disc->radius * (1.0 + OVERLAP);
+    for (int p = 0; p < POINTS; ++p) {
+        tdsp_point offset = point_sub(points[p], disc->center);
+        outside |= (unsigned)(point_dot(offset, offset) > squared) << p;
+    }
+    return outside;
+}
+
+static void probe_compare(cover_probe *probe, cover_job *job, uint32_t i, uint32_t k)
+{
+    uint32_t self = probe->first + i;
+    const geom_disc *disc = &job->items.discs[self], *other = &job->items.discs[k];
+    if (k == self || job->dropped[self] || other->rate < disc->rate) return;
+    tdsp_point between = point_sub(other->center, disc->center);
+    double squared = point_dot(between, between), reach = disc->radius + other->radius;
+    if (squared > reach * reach) return;
+    if (sqrt(squared) + disc->radius <= other->radius) {
+        job->dropped[self] = 1;
+        --probe->left;
+        return;
+    }
+    probe->open[i] &= probe_outside(probe->points[i], other);
+}
+
+static void probe_leaf(cover_probe *probe, cover_job *job, const index_node *own, const index_node *leaf)
+{
+    for (uint32_t k = leaf->first; k < leaf->first + leaf->count; ++k) {
+        const geom_disc *other = &job->items.discs[k];
+        if (job->dropped[k] || fabs(other->center.x - own->middle.x) > own->half_x + other->radius) continue;
+        if (fabs(other->center.y - own->middle.y) > own->half_y + other->radius) continue;
+        for (uint32_t i = 0; i < probe->count; ++i) probe_compare(probe, job, i, k);
+    }
+}
+
+/* Compare the leaf's discs with all that overlap its box. Right children first: where a branch divides by reach, they reach farther. */
+static void probe_walk(cover_probe *probe, cover_job *job, const index_node *nodes, const index_node *own)
+{
+    uint32_t later[INDEX_DEPTH], next = 0;
+    int top = 0;
+    while (probe->left > 0) {
+        const index_node *node = &nodes[next];
+        int meets = fabs(node->middle.x - own->middle.x) <= node->half_x + own->half_x &&
+                    fabs(node->middle.y - own->middle.y) <= node->half_y + own->half_y;
+        if (meets && !node->count) {
+            later[top++] = next + 1;
+            next = node->right;
+            continue;
+        }
+        if (meets) probe_leaf(probe, job, own, node);
+        if (top == 0) return;
+        next = later[--top];
+    }
+}
+
+static void cover_leaf(cover_job *job, const index_view *view, const index_node *leaf)
+{
+    cover_probe probe;
+    probe_start(&probe, job, leaf);
+    probe_walk(&probe, job, view->index->nodes, leaf);
+    for (uint32_t i = 0; i < leaf->count && job->status == TDSP_OK; ++i) {
+        uint32_t self = leaf->first + i;
+        const geom_disc *disc = &job->items.discs[self];
+        if (disc->radius == 0.0 && disc->rate == 0.0) job->dropped[self] = 1;
+        if (!job->dropped[self] && !probe.open[i]) job->dropped[self] = (unsigned char)cover_enclosed(job, view, self);
+    }
 }
 
 static uint32_t items_keep(index_items items, const unsigned char *dropped)
@@ -93,10 +197,10 @@ tdsp_status cover_drop(const scene_index *index, const tdsp_allocator *allocator
     if (items.count == 0) return TDSP_OK;
     cover_job job = {allocator, items, memory_array(allocator, items.count, 1), 0, 0, NULL, 0, 0, TDSP_OK};
     if (!job.dropped) return TDSP_NO_MEMORY;
-    for (uint32_t i = 0; i < items.count; ++i) job.dropped[i] = 0;
+    memset(job.dropped, 0, items.count);
     index_view view = {index, items.discs, 1.0};
-    for (uint32_t i = 0; i < items.count && job.status == TDSP_OK; ++i)
-        job.dropped[i] = (unsigned char)cover_enclosed(&job, &view, i);
+    for (uint32_t k = 0; k < index->node_count && job.status == TDSP_OK; ++k)
+        if (index->nodes[k].count) cover_leaf(&job, &view, &index->nodes[k]);
     if (job.status == TDSP_OK) *kept = items_keep(items, job.dropped);
     memory_free(allocator, job.arcs, job.arc_capacity * sizeof *job.arcs);
     memory_free(allocator, job.dropped, items.count);

@@ -12,21 +12,32 @@ typedef struct disc_set {
     geom_disc *reverse;
     uint32_t *origin;
     uint32_t count;
-    size_t capacity;
+    size_t forward_capacity, reverse_capacity, origin_capacity;
     double rate_min;
     scene_index index;
 } disc_set;
 
-/* Room for `count` discs; what the set held may be lost. TDSP_OK or TDSP_NO_MEMORY (the set is then empty). */
+/* Room to fill in `count` discs. TDSP_OK or TDSP_NO_MEMORY. */
 tdsp_status set_reserve(disc_set *set, const tdsp_allocator *allocator, size_t count);
 void set_free(disc_set *set, const tdsp_allocator *allocator);
 
 /* After `forward`, `origin` and `count` were filled: order, index, and reverse. TDSP_OK or TDSP_NO_MEMORY. */
 tdsp_status set_prepare(disc_set *set, const tdsp_allocator *allocator);
 
+/*
+ * The same after all but the angles of `forward` were filled, and for good: without the discs that can never matter, and without room
+ * for more.
+ */
+tdsp_status set_prepare_whole(disc_set *set, const tdsp_allocator *allocator);
+
+/* Some of another set's discs, prepared: origin[k] is then the place in that set. TDSP_OK or TDSP_NO_MEMORY. */
+tdsp_status set_choose(disc_set *set, const tdsp_allocator *allocator, const disc_set *from, const uint32_t *chosen,
+                       uint32_t count);
+
 static inline size_t set_bytes(const disc_set *set)
 {
-    return set->capacity * (2 * sizeof(geom_disc) + sizeof(uint32_t)) + set->index.node_capacity * sizeof(index_node);
+    size_t discs = (set->forward_capacity + set->reverse_capacity) * sizeof(geom_disc);
+    return discs + set->origin_capacity * sizeof(uint32_t) + index_bytes(&set->index);
 }
 
 #endif

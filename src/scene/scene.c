@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "base/hash.h"
-#include "scene/cover.h"
 
 /* No number of a scene may be larger: squares and products of lengths then stay far from overflow. */
 #define LARGEST 1e100
@@ -25,10 +24,10 @@ static int is_size(double x)
 
 const char *tdsp_journey_check(const tdsp_journey *journey)
 {
-    if (!(journey->speed >= SMALLEST_SPEED && journey->speed <= LARGEST)) return "the robot's speed is not between 1e-100 and 1e100";
+    if (!(journey->speed >= SMALLEST_SPEED && journey->speed <= LARGEST))
+        return "the robot's speed is not between 1e-100 and 1e100";
     if (!is_size(journey->radius)) return "the robot's radius is not between 0 and 1e100";
-    if (!is_moderate(journey->source.x) || !is_moderate(journey->source.y))
-        return "the source is not finite, or beyond 1e100";
+    if (!is_moderate(journey->source.x) || !is_moderate(journey->source.y)) return "the source is not finite, or beyond 1e100";
     if (!is_moderate(journey->destination.x) || !is_moderate(journey->destination.y))
         return "the destination is not finite, or beyond 1e100";
     return NULL;
@@ -67,11 +66,21 @@ static double disc_free_until(const tdsp_disc *disc, double robot_radius, tdsp_p
     return gap < 0.0 ? -1.0 : INFINITY;
 }
 
+/* Does it certainly not cover the place before this time? Without hypot(), for the many that are far away. */
+static int disc_is_late(const tdsp_disc *disc, double robot_radius, tdsp_point place, double time)
+{
+    double reach = disc->radius + robot_radius + (disc->growth > 0.0 ? disc->growth * time : 0.0);
+    tdsp_point offset = point_sub(place, disc->center);
+    return point_dot(offset, offset) > reach * reach * (1.0 + 1e-9);
+}
+
 static scene_cover cover_of(const tdsp_scene *scene, tdsp_point place)
 {
     scene_cover cover = {INFINITY, TDSP_NO_DISC};
     for (size_t i = 0; i < scene->count; ++i) {
-        double until = disc_free_until(&scene->discs[i], scene->journey.radius, place);
+        const tdsp_disc *disc = &scene->discs[i];
+        if (disc_is_late(disc, scene->journey.radius, place, cover.time)) continue;
+        double until = disc_free_until(disc, scene->journey.radius, place);
         if (until >= cover.time) continue;
         cover.time = until;
         cover.disc = (uint32_t)i;
@@ -84,8 +93,10 @@ static double scene_extent(const tdsp_scene *scene)
     double extent = 0.0;
     for (size_t i = 0; i < scene->count; ++i) {
         tdsp_point from_origin = point_sub(scene->discs[i].center, scene->origin);
-        extent = fmax(extent, fmax(fabs(from_origin.x), fabs(from_origin.y)));
-        extent = fmax(extent, scene->discs[i].radius + scene->journey.radius);
+        double across = fabs(from_origin.x) > fabs(from_origin.y) ? fabs(from_origin.x) : fabs(from_origin.y);
+        double radius = scene->discs[i].radius + scene->journey.radius;
+        if (across > extent) extent = across;
+        if (radius > extent) extent = radius;
     }
     return extent;
 }
@@ -107,27 +118,26 @@ static void scene_set_frame(tdsp_scene *scene)
     scene->destination = frame_point(scene, d);
 }
 
-static void frame_discs(const tdsp_scene *scene, index_items items)
+/* The discs in the frame, as far as the index needs them. */
+static void frame_discs(const tdsp_scene *scene, disc_set *all)
 {
-    for (uint32_t i = 0; i < items.count; ++i) {
+    for (uint32_t i = 0; i < all->count; ++i) {
         const tdsp_disc *disc = &scene->discs[i];
-        double radius = (disc->radius + scene->journey.radius) / scene->length;
-        items.discs[i] = disc_make(frame_point(scene, disc->center), radius, disc->growth / scene->journey.speed);
-        items.given[i] = i;
+        geom_disc framed = {frame_point(scene, disc->center), (disc->radius + scene->journey.radius) / scene->length,
+                            disc->growth / scene->journey.speed, 0.0, 0.0};
+        all->forward[i] = framed;
+        all->origin[i] = i;
     }
 }
 
-/* Index, drop what can never matter, index what is left. */
 static tdsp_status scene_prepare_discs(tdsp_scene *scene)
 {
     disc_set *all = &scene->all;
     tdsp_status status = set_reserve(all, &scene->allocator, scene->count);
     if (status != TDSP_OK) return status;
-    index_items items = {all->forward, all->origin, (uint32_t)scene->count};
-    frame_discs(scene, items);
-    status = index_build(&all->index, &scene->allocator, items);
-    if (status == TDSP_OK) status = cover_drop(&all->index, &scene->allocator, items, &all->count);
-    return status == TDSP_OK ? set_prepare(all, &scene->allocator) : status;
+    all->count = (uint32_t)scene->count;
+    frame_discs(scene, all);
+    return set_prepare_whole(all, &scene->allocator);
 }
 
 static tdsp_status scene_copy_discs(tdsp_scene *scene, const tdsp_disc *discs)
@@ -158,8 +168,8 @@ static tdsp_status scene_check(const tdsp_journey *journey, const tdsp_disc *dis
     return TDSP_OK;
 }
 
-tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count,
-                              const tdsp_allocator *allocator, tdsp_scene **out)
+tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, const tdsp_allocator *allocator,
+                              tdsp_scene **out)
 {
     if (!journey || !out || (count && !discs) || count > 0x7fffffff) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = scene_check(journey, discs, count);

@@ -15,6 +15,7 @@ enum { MOST = 120 };
 typedef struct heap_of_discs {
     geom_disc discs[MOST];
     geom_disc given_discs[MOST];
+    geom_disc spare[MOST];
     uint32_t given[MOST];
     uint32_t count;
     uint32_t kept;
@@ -22,8 +23,8 @@ typedef struct heap_of_discs {
 
 static tdsp_status drop(heap_of_discs *h, const tdsp_allocator *memory)
 {
-    index_items items = {h->discs, h->given, h->count};
-    scene_index index = {NULL, 0, 0};
+    index_items items = {h->discs, h->given, h->spare, h->count};
+    scene_index index = {0};
     for (uint32_t i = 0; i < h->count; ++i) {
         h->discs[i] = h->given_discs[i];
         h->given[i] = i;
@@ -74,7 +75,8 @@ static tdsp_point map_place(const map *m, uint32_t cell)
 static int map_free(const map *m, uint32_t cell)
 {
     for (uint32_t i = 0; i < m->h->kept; ++i)
-        if (point_distance(map_place(m, cell), m->h->discs[i].center) <= disc_radius(&m->h->discs[i], m->time) + m->step) return 0;
+        if (point_distance(map_place(m, cell), m->h->discs[i].center) <= disc_radius(&m->h->discs[i], m->time) + m->step)
+            return 0;
     return 1;
 }
 
@@ -124,7 +126,8 @@ static void random_heap(heap_of_discs *h, uint64_t *chance)
     double spread = chance_between(chance, 1.0, 8.0);
     while (h->count < count) {
         double rate = chance_below(chance, 2) ? 0.2 : chance_between(chance, 0.0, 1.4);
-        add(h, chance_between(chance, -spread, spread), chance_between(chance, -spread, spread), chance_between(chance, 0.0, 1.5), rate);
+        add(h, chance_between(chance, -spread, spread), chance_between(chance, -spread, spread), chance_between(chance, 0.0, 1.5),
+            rate);
     }
 }
 
@@ -270,7 +273,9 @@ static void dropping_changes_no_arrival(void **state)
         uint32_t few, many;
         double rate = chance_between(&chance, 0.0, 0.2);
         for (int i = 0; i < 24; ++i) {
-            tdsp_disc disc = {{chance_between(&chance, -6.0, 6.0), chance_between(&chance, -4.0, 4.0)}, chance_between(&chance, 0.1, 2.0), rate};
+            tdsp_disc disc = {{chance_between(&chance, -6.0, 6.0), chance_between(&chance, -4.0, 4.0)},
+                              chance_between(&chance, 0.1, 2.0),
+                              rate};
             discs[i] = unequal[i] = disc;
             unequal[i].growth *= 1.0 + 1e-9 * (2.0 - disc.radius);
         }

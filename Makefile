@@ -200,13 +200,45 @@ demo: ## the main job on a real scene: table and two pictures in build/demo
 pictures: all ## draw the pictures of README.md again
 	tools/setup/pictures.sh $(BUILD) $(DEMO_SCENE) docs/pictures
 
-.PHONY: results
-results: all $(BUILD)/tests/bench/lookup ## measure the real scenes of TDSP_DATA and write docs/results.md
-	$(PYTHON) tests/bench/results.py --command $(BUILD)/tdsp --lookup $(BUILD)/tests/bench/lookup --scenes $(TDSP_DATA)/scenes --limit $(RESULTS_LIMIT) -o docs/results.md
-RESULTS_LIMIT ?= 300
-$(BUILD)/tests/bench/lookup: $(BUILD)/obj/tests/bench/lookup.o $(QUERY)
+# ---------------------------------------------------------------------------------------------------------------- bench
+
+# Everything in tests/bench with a main() is a program of its own; the rest is shared by them.
+BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,$(notdir $(basename $(shell grep -l '^int main' $(wildcard tests/bench/*.c tests/bench/*.cpp)))))
+BENCH_SHARED := $(call objects,$(filter-out $(BENCH_PROGRAMS:$(BUILD)/%=%.c),$(wildcard tests/bench/*.c)))
+$(filter-out %_peers,$(BENCH_PROGRAMS)): $(BUILD)/%: $(BUILD)/obj/%.o $(BENCH_SHARED) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $^ -lm -o $@
+	$(CC) $(LDFLAGS) $(filter %.o %.a,$^) $(TOOL_LIBS) -o $@
+# valgrind does not understand the debugging information of every compiler, and needs none.
+$(BUILD)/tests/bench/gates: LDFLAGS += -Wl,--strip-debug
+# The peers of a look-up come from the C++ library; the library's own is timed beside them.
+$(BUILD)/tests/bench/lookup_peers: tests/bench/lookup_peers.cpp $(STATIC) $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 $(OPTIMIZE) $(CPPFLAGS) -Itests $< $(STATIC) -lm -o $@
+
+.PHONY: bench-programs
+bench-programs: all $(BENCH_PROGRAMS)
+
+# Sections: peers scaling epsilon lookup real. None given: all. The page is made from the CSV files of all sections, whenever they were measured.
+ONLY ?=
+BENCH_LIMIT ?= 30
+BENCH = $(PYTHON) tests/bench/bench.py --build $(BUILD) --limit $(BENCH_LIMIT)
+
+.PHONY: bench results
+bench: ## measure everything (ONLY="lookup real": that) and write docs/results.md, its CSV files and pictures
+	@tools/setup/packages.sh bench
+	@$(MAKE) --no-print-directory -s bench-programs
+	$(BENCH) --scenes $(TDSP_DATA)/scenes $(if $(ONLY),--only $(ONLY))
+results: ## write docs/results.md and its pictures again from the CSV files in docs/results
+	@tools/setup/packages.sh bench
+	$(BENCH) --render
+
+# Instruction counts of the hot paths, by callgrind: they repeat exactly, so that a slowdown shows on any machine, however busy.
+GATES = $(PYTHON) tests/bench/gates.py $(1) $(BUILD)/tests/bench/gates tests/bench/gates.csv examples/scenes
+.PHONY: gates gates-record
+gates: $(BUILD)/tests/bench/gates ## compare the hot paths' instruction counts with the record
+	@$(call GATES,check)
+gates-record: $(BUILD)/tests/bench/gates ## record the hot paths' instruction counts in tests/bench/gates.csv
+	@$(call GATES,record)
 
 # -------------------------------------------------------------------------------------------------------------- testing
 
@@ -240,7 +272,7 @@ run-tests: $(TEST_RUNS) $(SCRIPT_RUNS)
 run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
 
 # Everything that is checked once and needs no variant.
-checks := runner layers functions stack links headers objects examples snippets install
+checks := runner layers functions stack links headers objects examples snippets install gates bench
 check_runs := $(checks:%=$(CHECK)/%.result)
 .PHONY: run-checks
 run-checks: $(check_runs)
@@ -254,6 +286,8 @@ $(CHECK)/headers.result: ; $(RUN) bash -c 'tests/headers/check.sh gcc g++; a=$$?
 $(CHECK)/objects.result: all ; $(RUN) $(PYTHON) tests/check_objects.py $(BUILD)
 $(CHECK)/examples.result: $(EXAMPLES) ; $(RUN) tests/check_examples.sh $(BUILD)/examples
 $(CHECK)/snippets.result: all ; $(RUN) $(PYTHON) tests/check_snippets.py $(BUILD) README.md $(sort $(wildcard docs/*.md))
+$(CHECK)/gates.result: $(BUILD)/tests/bench/gates ; $(RUN) $(call GATES,check)
+$(CHECK)/bench.result: bench-programs ; $(RUN) tests/bench/check.sh $(BUILD)
 $(CHECK)/install.result: all ; $(RUN) tests/install/check.sh $(MAKE) $(BUILD)
 
 .PHONY: run-fuzz
@@ -266,7 +300,7 @@ check-steps: check-gcc check-clang check-sanitize check-fuzz run-checks
 check-gcc: run-tests
 # The second compiler is for its warnings and for what depends on the compiler: the unit tests show that.
 check-clang:
-	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests examples $(BUILD)/clang-19/tests/bench/lookup run-unit
+	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests examples bench-programs run-unit
 check-sanitize:
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize CHECK=$(CHECK) VARIANT=sanitize all run-tests
 check-fuzz:
@@ -327,4 +361,4 @@ clean: ## remove everything that was built
 
 .PHONY: help
 help: ## this list
-	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '  make %-10s %s\n' "$$name" "$$text"; done
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/\1|\2/p' $(MAKEFILE_LIST) | while IFS='|' read -r name text; do printf '  make %-12s %s\n' "$$name" "$$text"; done

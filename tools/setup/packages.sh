@@ -1,13 +1,14 @@
 #!/bin/bash
 # Install the Debian packages that building, showing or testing needs, and only those that are missing.
 #   packages.sh demo     what the library and the command need
-#   packages.sh check    that, and what the tests need
+#   packages.sh bench    that, and what measuring needs
+#   packages.sh check    both, and what the tests need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | check) ;; *) echo "usage: packages.sh demo|check" >&2; exit 2 ;; esac
+case $tier in demo | bench | check) ;; *) echo "usage: packages.sh demo|bench|check" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -32,10 +33,13 @@ int main(void) { return printf("") != 0; }'; }
 fuzz_program() { echo '#include <stddef.h>
 int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size);
 int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size) { return data && size > 9; }'; }
+callgrind_program() { echo '#include <valgrind/callgrind.h>
+int main(void) { CALLGRIND_ZERO_STATS; return 0; }'; }
 has_gcc() { c_program | compiles gcc c; }
 has_gxx() { c_program | compiles g++ c++; }
 has_clang() { c_program | compiles clang-19 c; }
 has_sanitizers() { fuzz_program | compiles clang-19 c -fsanitize=fuzzer,address,undefined; }
+has_callgrind() { has_command valgrind && callgrind_program | compiles gcc c; }
 has_library() { has_command pkg-config && pkg-config --exists "$1"; }
 # Asked for by name where it can be: trying to compile reports the header whatever its version.
 has_cmocka() { has_library cmocka; }
@@ -48,13 +52,17 @@ need pkg-config has_command pkg-config
 need libglib2.0-dev has_library gio-2.0
 need libjson-glib-dev has_library json-glib-1.0
 need libcairo2-dev has_library cairo
+if [ "$tier" != demo ]; then
+    need g++ has_gxx
+    need python3 has_python
+    need valgrind has_callgrind
+    need gnuplot-nox has_command gnuplot
+fi
 if [ "$tier" = check ]; then
     need libcmocka-dev has_cmocka
-    need g++ has_gxx
     need clang-19 has_clang
     need libclang-rt-19-dev has_sanitizers
     need llvm-19 has_command llvm-symbolizer-19
-    need python3 has_python
     need binutils has_command nm
     need diffutils has_command cmp
 fi

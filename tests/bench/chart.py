@@ -54,11 +54,25 @@ def quoted(text):
 
 
 def around(values):
-    """A range around the values whose ends are 1, 2 or 5 times a power of ten."""
+    """A range around the values whose ends are 1, 2 or 5 times a power of ten, and in which two powers are: they have labels."""
     steps = [float(f"{step}e{power}") for power in range(-12, 15) for step in (1, 2, 5)]
     low = max(step for step in steps if step <= min(values) * (1 + 1e-9))
     high = min(step for step in steps if step >= max(values) * (1 - 1e-9))
-    return f"[{low if high > low else low / 10:g}:{high:g}]"
+    if math.floor(math.log10(high) + 1e-9) - math.ceil(math.log10(low) - 1e-9) < 1:
+        low = 10.0 ** math.floor(math.log10(low) + 1e-9)
+        high = max(10.0 ** math.ceil(math.log10(high) - 1e-9), 10 * low)
+    return low, high
+
+
+def ranges(points, lines):
+    """Ranges of both axes, with room for a key of so many lines in the upper left, should something be there."""
+    left, right = around([point[0] for point in points])
+    low, high = around([value for point in points for value in point[1:]])
+    share = 0.1 + 0.05 * lines if lines else 0 # of the height that the key takes
+    in_the_way = max([max(point[1:]) for point in points if math.log(point[0] / left) < 0.45 * math.log(right / left)], default=low)
+    if math.log(in_the_way / low) > (1 - share) * math.log(high / low):
+        high = low * (in_the_way / low) ** (1 / (1 - share))
+    return f"set xrange [{left:g}:{right:g}]", f"set yrange [{low:g}:{high:g}]"
 
 
 def data_block(name, series):
@@ -76,7 +90,7 @@ def plot_terms(name, series):
             f"${name} using 1:2 with linespoints {line} pt {mark} ps 1 title {quoted(series.label)}"]
 
 
-def panel_script(number, panel):
+def panel_script(number, panel, key):
     drawn = [series for series in panel.series if series.points]
     if not drawn:
         return "set multiplot next\n"
@@ -84,10 +98,9 @@ def panel_script(number, panel):
     for i, series in enumerate(drawn):
         blocks.append(data_block(f"d{number}x{i}", series))
         terms += plot_terms(f"d{number}x{i}", series)
-    xs = [point[0] for series in drawn for point in series.points]
-    ys = [value for series in drawn for point in series.points for value in point[1:]]
+    points = [point for series in drawn for point in series.points]
     return "\n".join(blocks + [f"set title {quoted(panel.title)} font \",13\"", f"set xlabel {quoted(panel.xlabel)}",
-                               f"set ylabel {quoted(panel.ylabel)}", f"set xrange {around(xs)}", f"set yrange {around(ys)}",
+                               f"set ylabel {quoted(panel.ylabel)}", *ranges(points, len(drawn) if key == "top left" else 0),
                                "plot " + ", \\\n  ".join(terms)])
 
 
@@ -102,7 +115,7 @@ def draw(path, panels, columns, key="top left", xformat="10^{%L}"):
     script = STYLE.format(width=columns * (PANEL_WIDTH + beside), height=rows * PANEL_HEIGHT, path=path, key=key, xformat=xformat,
                           rmargin=25 if beside else 3)
     script += f"set multiplot layout {rows},{columns}\n"
-    script += "\n".join(panel_script(i, panel) for i, panel in enumerate(panels))
+    script += "\n".join(panel_script(i, panel, key) for i, panel in enumerate(panels))
     script += "\nunset multiplot\n"
     done = subprocess.run(["gnuplot"], input=script, capture_output=True, text=True)
     if done.returncode != 0 or "line " in done.stderr:

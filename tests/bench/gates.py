@@ -5,8 +5,8 @@
 
 Runs GATES under callgrind. `check` prints one line a workload and fails for each that takes over 10 % more instructions than RECORD says, `record`
 writes RECORD anew. Counts repeat exactly where the compiler and the C library are those of the record: instructions that only some processors
-have are kept out of the library's choice. Other compilers take up to a quarter more or less for the same source: there the same workloads
-are held to 40 %, which a lost index or a search among too many discs still breaks by far.
+have are kept out of the library's choice. Elsewhere the same workloads are held to 40 %: clang 19 took
+from 45 % less to 3 % more than gcc 12, while a lost index or a search among too many discs costs several times as much.
 """
 import csv
 import os

@@ -154,19 +154,26 @@ def scaling_panels(rows, span):
 OPERATIONS = (("prepare", "index"), ("forward", "forward"), ("neighbour", "neighbour"), ("reverse", "reverse"))
 
 
+def scaling_lines(rows, span, kind):
+    """(title, {discs: milliseconds}, exponent) of each operation, and how much faster than a first question a neighbouring one is."""
+    medians = {}
+    for operation, name in OPERATIONS:
+        points = by_size(select(rows, world=kind, span=span, operation=operation))
+        if not points or (operation == "prepare" and kind != "random"):
+            continue
+        medians[operation] = {point[0]: point[1] for point in points}
+        title = "no path" if kind in WITHOUT_PATH and operation == "forward" else name
+        yield title, medians[operation], fit(points)
+        if operation == "neighbour":
+            first, next_one = medians["forward"], medians["neighbour"]
+            yield "forward / neighbour", {size: first[size] / next_one[size] for size in next_one}, None
+
+
 def scaling_table(rows, span):
     """Milliseconds at powers of ten, and the exponents."""
-    sizes = sorted({int(row["wanted"]) for row in rows if row["span"] == span and str(int(row["wanted"])).strip("0") == "1"})
-    lines = []
-    for kind in KINDS:
-        for operation, name in OPERATIONS:
-            points = by_size(select(rows, world=kind, span=span, operation=operation))
-            if not points or (operation == "prepare" and kind != "random"):
-                continue
-            medians = {point[0]: point[1] for point in points}
-            b = fit(points)
-            title = "no path" if kind in WITHOUT_PATH and operation == "forward" else name
-            lines.append([f"{kind}", title, *(significant(medians.get(size)) for size in sizes), "" if b is None else f"{b:.2f}"])
+    sizes = sorted({int(row["wanted"]) for row in rows if row["span"] == span and row["wanted"].strip("0") == "1"})
+    lines = [[kind, title, *(significant(values.get(size)) for size in sizes), "" if b is None else f"{b:.2f}"]
+             for kind in KINDS for title, values, b in scaling_lines(rows, span, kind)]
     return grid(["ms", "", *(f"n = {size:,}" for size in sizes), "exponent"], lines, 2)
 
 
@@ -345,12 +352,31 @@ def real_tables(rows):
     return grid(head + ["arrival [ns]", "position [ns]"], lines, 2)
 
 
+def sampler_sums(rows):
+    """Calls a row over all tables, and how adaptive rows compare with Algorithm 1's."""
+    done = [row for row in rows if not row["failed"] and row["threads"] == "all"]
+    sentences = []
+    for (guarantee, sampling), name in METHOD_NAMES.items():
+        mine = select(done, guarantee=guarantee, sampling=sampling)
+        if mine:
+            shares = [calls(row) / int(row["rows"]) for row in mine]
+            sentences.append(f"{name} {statistics.fmean(shares):.2f} in the mean of the tables, {sum(map(calls, mine)) / sum(int(row['rows']) for row in mine):.2f} over all rows")
+    geometric = {row["scene"]: int(row["rows"]) for row in select(done, sampling="geometric")}
+    adaptive = {row["scene"]: int(row["rows"]) for row in select(done, guarantee="arrival", sampling="adaptive")}
+    both = [scene for scene in adaptive if scene in geometric]
+    more = [scene for scene in both if adaptive[scene] > geometric[scene]]
+    return (f"Calls a row: {'; '.join(sentences)}. For the guarantee *arrival*, adaptive tables have more rows than Algorithm 1 in {len(more)} of {len(both)} "
+            f"scenes{': ' + ', '.join(more) if more else ''}, and {significant(sum(adaptive[scene] for scene in both) / max(1, sum(geometric[scene] for scene in both)))} "
+            "times as many in all.\n")
+
+
 def write_real(page):
     rows = page.rows("scenes")
     if not rows:
         return
     page.section("real", REAL)
-    page.text += [real_scenes(rows), TABLES, real_tables(page.rows("tables"))]
+    tables = page.rows("tables")
+    page.text += [real_scenes(rows), TABLES, real_tables(tables), sampler_sums(tables)]
 
 
 def write(docs):

@@ -3,7 +3,8 @@ from common import SOLVE_HEADER, Failed, note
 
 SIZES = (100, 316, 1000, 3162, 10000, 31623, 100000, 316228, 1000000)
 NEAR_LEAST = 1000
-SEEDS_UP_TO = ((100000, 3), (1000000, 1))
+# Near worlds are quick to ask, and differ more from seed to seed.
+SEEDS_UP_TO = {"far": ((100000, 3), (1000000, 1)), "near": ((100000, 5), (1000000, 2))}
 FAR = ("random", "crowd", "mixed", "wall", "sealed", "fenced")
 NEAR = ("random", "crowd", "mixed", "sealed")
 # A question that took longer than this is not put to a larger world.
@@ -11,8 +12,8 @@ BUDGET_MS = 1000
 HEADERS = {"scaling": SOLVE_HEADER}
 
 
-def seeds(run, size):
-    count = 1 if run.short else next(count for most, count in SEEDS_UP_TO if size <= most)
+def seeds(run, size, span):
+    count = 1 if run.short else next(count for most, count in SEEDS_UP_TO[span] if size <= most)
     return range(1, count + 1)
 
 
@@ -26,7 +27,7 @@ def measure_series(run, kind, span):
     sizes = SIZES[:3] if run.short else SIZES
     for size in sizes if span == "far" else [n for n in sizes if n >= NEAR_LEAST]:
         point = []
-        for seed in seeds(run, size):
+        for seed in seeds(run, size, span):
             note(f"{kind} {span} {size} seed {seed}")
             try:
                 point += run.solve(0.02 if run.short else 0.1, ",".join(operations), "made", kind, size, span, seed)

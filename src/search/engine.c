@@ -13,9 +13,8 @@ enum { LABEL_LEG = 0, LABEL_RIDE = 1, LABEL_START = 2 };
 static double label_bound(void *ctx, const tdsp_label *label)
 {
     const disc_engine *engine = ctx;
-    if (label->kind == LABEL_LEG) return engine->legs[label->id].bound;
-    if (label->kind == LABEL_RIDE) return engine->rides[label->id].bound;
-    return 0.0;
+    double bound = label->kind == LABEL_LEG ? engine->legs[label->id].bound : label->kind == LABEL_RIDE ? engine->rides[label->id].bound : 0.0;
+    return engine->question.weight * bound;
 }
 
 geom_line engine_leg_motion(const disc_engine *engine, const engine_leg *leg)
@@ -60,7 +59,7 @@ static int goal_leg_good(disc_engine *engine, const engine_leg *leg)
 static void engine_set_limit(disc_engine *engine, double limit)
 {
     engine->limit = limit;
-    tdsp_search_limit(engine->open, limit);
+    if (engine->question.weight == 1.0) tdsp_search_limit(engine->open, limit);
 }
 
 static tdsp_status engine_add_leg(disc_engine *engine, const engine_leg *leg, uint32_t *added)
@@ -127,6 +126,7 @@ static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
         return TDSP_OK;
     }
     double arrival = leg_arrival(leg);
+    if (arrival + leg->bound > engine->limit) return TDSP_OK;
     double normal = leg->heading - leg->side * engine_disc(engine, leg->disc)->theta;
     if (!engine_can_ride(engine, leg->disc, arrival)) return TDSP_OK;
     if (sweep_covers(engine, leg->disc, leg->side, normal, arrival) || leg_blocked(engine, leg)) return TDSP_OK;
@@ -159,6 +159,12 @@ static tdsp_status expand(void *ctx, const tdsp_label *label, tdsp_search *open,
 {
     disc_engine *self = ctx;
     (void)open;
+    const engine_question *question = &self->question;
+    if (question->patience && self->chunks > question->patience) {
+        self->gave_up = 1;
+        *done = 1;
+        return TDSP_OK;
+    }
     if (label->kind == LABEL_LEG) return expand_leg(self, label->id, done);
     if (label->kind == LABEL_RIDE) return ride_follow(self, label->id, done);
     return expand_start(self, done);
@@ -169,10 +175,20 @@ static void engine_forget(disc_engine *engine)
 {
     engine->leg_count = engine->ride_count = 0;
     engine->arrived = ENGINE_NONE;
+    engine->gave_up = 0;
+    engine->chunks = 0;
     if (++engine->stamp == 0 && engine->scene->all.count) {
         memset(engine->stamps, 0, 2 * (size_t)engine->scene->all.count * sizeof *engine->stamps);
         engine->stamp = 1;
     }
+}
+
+/* The rings of the whole scene stay; those of a part are worth nothing when it has changed. */
+static tdsp_status engine_set_around(disc_engine *engine, const disc_set *set)
+{
+    int is_whole = set == &engine->scene->all;
+    engine->around = is_whole ? &engine->around_all : &engine->around_part;
+    return is_whole && engine->around->set == set ? TDSP_OK : neighbours_begin(engine->around, &engine->scene->allocator, set);
 }
 
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question)
@@ -183,10 +199,56 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
     engine->question = *question;
     engine->goal = disc_point(question->goal);
     engine->set = set;
+    engine->rate_max = set->count ? set->index.nodes[0].rate : 0.0;
     engine->view.index = &set->index;
     engine->view.sign = question->direction;
     engine->view.discs = question->direction == ENGINE_FORWARD ? set->forward : set->reverse;
-    return tdsp_search_run(engine->open, &problem, &start, 1, NULL);
+    tdsp_status status = engine_set_around(engine, set);
+    return status == TDSP_OK ? tdsp_search_run(engine->open, &problem, &start, 1, NULL) : status;
+}
+
+/* Scenes of fewer discs are searched before a scout would be back. */
+#define SCOUTED 64u
+
+/* A path across n discs that stand evenly passes about sqrt(n) of them; a scout turns back after passing this many times as many, and a few. */
+#define PATIENCE 1.5
+#define PATIENCE_LEAST 48
+
+/* What the scouts weigh the bounds with. */
+static const double SCOUTS[] = {1.2, 1.02};
+
+/* A path's time is rounded: the best path may seem this share of the times at hand later than one that is no better. */
+#define LIMIT_SLACK 1e-12
+
+tdsp_status engine_scout(disc_engine *engine, engine_question *question, int *lost)
+{
+    const disc_set *all = &engine->scene->all;
+    engine_question ask = *question;
+    *lost = 0;
+    if (all->count <= SCOUTED) return TDSP_OK;
+    ask.patience = PATIENCE_LEAST + (uint64_t)(PATIENCE * sqrt((double)all->count));
+    for (size_t i = 0; i < sizeof SCOUTS / sizeof *SCOUTS; ++i) {
+        ask.weight = SCOUTS[i];
+        tdsp_status status = engine_run(engine, all, &ask);
+        if (status != TDSP_OK) return status;
+        *lost = i == 0 && engine->arrived == ENGINE_NONE;
+        if (engine->arrived == ENGINE_NONE) break;
+        double arrival = engine_arrival(engine);
+        ask.limit = fmin(ask.limit, arrival + LIMIT_SLACK * (1.0 + fabs(arrival)));
+    }
+    question->limit = ask.limit;
+    return TDSP_OK;
+}
+
+double engine_lower_bound(const disc_engine *engine)
+{
+    double lower = engine_arrival(engine);
+    for (size_t i = 0; i < engine->open->open.count; ++i) {
+        const tdsp_label *label = &engine->open->open.slots[i].label;
+        double earliest = label->time + label_bound((void *)engine, label) / engine->question.weight;
+        if (earliest < lower) lower = earliest;
+    }
+    return lower;
 }
 
 double engine_arrival(const disc_engine *engine)
@@ -219,6 +281,8 @@ void engine_free(disc_engine *engine)
     size_t lists = 2 * (size_t)engine->scene->all.count;
     tdsp_search_free(engine->open);
     heap_free(&engine->looks, memory);
+    neighbours_free(&engine->around_all, memory);
+    neighbours_free(&engine->around_part, memory);
     memory_free(memory, engine->legs, engine->leg_capacity * sizeof *engine->legs);
     memory_free(memory, engine->rides, engine->ride_capacity * sizeof *engine->rides);
     memory_free(memory, engine->heads, lists * sizeof *engine->heads);
@@ -229,6 +293,6 @@ void engine_free(disc_engine *engine)
 uint64_t engine_bytes(const disc_engine *engine)
 {
     uint64_t lists = 2 * (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
-    return lists + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
+    return lists + neighbours_bytes(&engine->around_all) + neighbours_bytes(&engine->around_part) + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
            (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot) + sizeof *engine;
 }

@@ -12,6 +12,7 @@
 #define SEARCH_ENGINE_H
 
 #include "scene/scene.h"
+#include "search/neighbours.h"
 #include "search/search.h"
 
 #define ENGINE_NONE 0xffffffffu
@@ -63,6 +64,8 @@ typedef struct engine_question {
     double goal_opens; /* the goal counts only from this time on ... */
     double goal_until; /* ... and not after this */
     double limit;      /* nothing later than this matters */
+    double weight;     /* of the bounds: 1 asks for the best path, more for a path at most so much longer, found sooner */
+    uint64_t patience; /* give up after so many chunks of rides; 0: never */
     int explain;       /* find out whether only the goal's cover stops the robot */
     const engine_seed *seeds;
     int seed_count;
@@ -75,7 +78,11 @@ typedef struct disc_engine {
     engine_question question;
     index_view view;
     geom_disc goal; /* as a point */
+    double rate_max; /* of the set's discs, or a little more */
     double limit;
+    neighbourhood *around;         /* of the run's set: one of the next two */
+    neighbourhood around_all;      /* kept from run to run */
+    neighbourhood around_part;
     label_heap looks; /* what a chunk has still to look at */
     engine_leg *legs;
     size_t leg_count, leg_capacity;
@@ -85,6 +92,9 @@ typedef struct disc_engine {
     uint32_t *stamps; /* the run in which a head was set */
     uint32_t stamp;
     uint32_t arrived; /* the leg that reached the goal, or ENGINE_NONE */
+    int gave_up;
+    uint64_t chunks; /* of rides followed, in the run */
+    uint64_t chunks_followed;
     uint64_t legs_tested;
 } disc_engine;
 
@@ -97,6 +107,15 @@ uint64_t engine_bytes(const disc_engine *engine);
  * the path, or is ENGINE_NONE. A question that asks to explain arrives with a leg that only the goal's cover stopped.
  */
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question);
+
+/*
+ * Send scouts ahead: searches among all discs with heavier bounds and little patience. If they find a path the question's limit becomes its arrival, which keeps the
+ * search for the best path from looking where it cannot be. *lost is 1 when they found none.
+ */
+tdsp_status engine_scout(disc_engine *engine, engine_question *question, int *lost);
+
+/* No path arrives earlier than this, after a run that arrived. */
+double engine_lower_bound(const disc_engine *engine);
 
 /* The time at which the path found reaches the goal. */
 double engine_arrival(const disc_engine *engine);

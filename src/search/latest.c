@@ -85,7 +85,10 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
 {
     tdsp_solver *solver = state->solver;
     ++solver->work.reverse_searches;
-    tdsp_status status = engine_run(&solver->engine, state->set, question);
+    engine_question ask = *question;
+    int lost;
+    tdsp_status status = state->set == &solver->scene->all ? engine_scout(&solver->engine, &ask, &lost) : TDSP_OK;
+    if (status == TDSP_OK) status = engine_run(&solver->engine, state->set, &ask);
     *departure = -1.0;
     if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);
     return status;
@@ -95,7 +98,7 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
 static engine_question reverse_question(const tdsp_scene *scene, double time, double limit)
 {
     engine_question question = {ENGINE_REVERSE, scene->destination, scene->source, -time, -scene->source_cover.time / scene->time,
-                                0.0, limit, 0, NULL, 0};
+                                0.0, limit, 1.0, 0, 0, NULL, 0};
     return question;
 }
 
@@ -139,7 +142,7 @@ static tdsp_status latest_gap_leads_on(latest_state *state, const gap_event *eve
     const tdsp_scene *scene = state->solver->scene;
     double until = (state->arrival + latest_slack(state, SAME_TIME)) / scene->time;
     engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, event->time, -INFINITY,
-                                fmin(until, scene->destination_cover.time / scene->time), until, 0, seeds, 2};
+                                fmin(until, scene->destination_cover.time / scene->time), until, 1.0, 0, 0, seeds, 2};
     tdsp_status status = engine_run(&state->solver->engine, state->set, &question);
     *leads = status == TDSP_OK && state->solver->engine.arrived != ENGINE_NONE;
     return status;

@@ -10,6 +10,9 @@
 #define LARGE_SHARE 8u
 #define ROUNDS 100
 
+/* ... or when so many chunks of rides have been followed. */
+#define PATIENCE 128u
+
 tdsp_status relax_create(relaxation *self, const tdsp_scene *scene)
 {
     uint32_t count = scene->all.count;
@@ -54,20 +57,6 @@ static void relax_clear(relaxation *self)
     while (self->member_count > 0) self->is_member[self->members[--self->member_count]] = 0;
 }
 
-static tdsp_status relax_prepare(relaxation *self)
-{
-    disc_set *working = &self->working;
-    const disc_set *all = &self->scene->all;
-    tdsp_status status = set_reserve(working, &self->scene->allocator, self->member_count);
-    if (status != TDSP_OK) return status;
-    working->count = self->member_count;
-    for (uint32_t k = 0; k < working->count; ++k) {
-        working->forward[k] = all->forward[self->members[k]];
-        working->origin[k] = self->members[k];
-    }
-    return set_prepare(working, &self->scene->allocator);
-}
-
 static uint32_t working_origin(const disc_engine *engine, uint32_t disc)
 {
     return disc < ENGINE_GOAL ? engine->set->origin[disc] : INDEX_NONE;
@@ -98,8 +87,9 @@ tdsp_status relax_run(relaxation *self, disc_engine *engine, relax_question ask,
     const disc_set *all = &self->scene->all;
     if (all->count <= SMALL) return ask(ctx, all);
     relax_clear(self);
-    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count; ++round) {
-        tdsp_status status = relax_prepare(self);
+    uint64_t before = engine->chunks_followed;
+    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count && engine->chunks_followed - before < PATIENCE; ++round) {
+        tdsp_status status = set_choose(&self->working, &self->scene->allocator, all, self->members, self->member_count);
         ++self->rounds;
         if (status == TDSP_OK) status = ask(ctx, &self->working);
         if (status != TDSP_OK || engine->arrived == ENGINE_NONE || relax_mend(self, engine) == 0) return status;

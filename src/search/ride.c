@@ -63,6 +63,8 @@ static tdsp_status ride_explain(disc_engine *engine, uint32_t r, double from, do
 
 tdsp_status ride_follow(disc_engine *engine, uint32_t r, int *done)
 {
+    ++engine->chunks;
+    ++engine->chunks_followed;
     int ended, first = engine->rides[r].now == engine->rides[r].start;
     double from = engine->rides[r].now, to = chunk_end(engine, r, &ended);
     if (to > from || (first && to == from)) {
@@ -75,6 +77,7 @@ tdsp_status ride_follow(disc_engine *engine, uint32_t r, int *done)
     if (ended) return TDSP_OK;
     geom_ride motion = engine_ride_motion(engine, ride, to, to);
     ride->bound = point_distance(disc_boundary(motion.disc, motion.angle, to), engine->question.goal);
+    if (to + ride->bound > engine->limit) return TDSP_OK;
     tdsp_label label = {to, r, 1};
     return tdsp_search_push(engine->open, &label);
 }

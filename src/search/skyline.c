@@ -1,6 +1,8 @@
 /* What near discs hide from a rider: the rule is in skyline.h. */
 #include "search/skyline.h"
 
+#include <math.h>
+
 /* How much narrower a cover counts than it is, as an angle. */
 #define MARGIN 1e-9
 
@@ -8,6 +10,7 @@ void sky_init(skyline *sky, double from, double to)
 {
     sky->from = from;
     sky->to = to;
+    sky->next = INFINITY;
     sky->near_count = sky->full_count = 0;
 }
 
@@ -21,6 +24,7 @@ void sky_add(skyline *sky, double from, double to, double reach)
     cover->from = from;
     cover->to = to;
     cover->reach = reach;
+    if (reach < sky->next) sky->next = reach;
 }
 
 /* Merge a cover with all it touches. */
@@ -43,33 +47,41 @@ static void sky_fill(skyline *sky, sky_cover cover)
     sky->full_count = kept + 1;
 }
 
-int sky_advance(skyline *sky, double bound)
+static int sky_filled(const skyline *sky, double from, double to)
 {
-    int kept = 0;
-    for (int i = 0; i < sky->near_count; ++i) {
-        if (sky->near[i].reach <= bound) {
-            sky_fill(sky, sky->near[i]);
-        } else {
-            sky->near[kept++] = sky->near[i];
-        }
-    }
-    sky->near_count = kept;
-    return !sky_hides_window(sky, sky->from, sky->to);
-}
-
-int sky_hides_window(const skyline *sky, double from, double to)
-{
-    if (from < sky->from) from = sky->from;
-    if (to > sky->to) to = sky->to;
     for (int i = 0; i < sky->full_count; ++i)
         if (sky->full[i].from <= from && to <= sky->full[i].to) return 1;
     return 0;
 }
 
-int sky_hides_leg(const skyline *sky, double heading, double length)
+/* Covers whose reach is passed hide everything from now on. */
+static void sky_pass(skyline *sky, double bound)
 {
-    if (sky_hides_window(sky, heading, heading)) return 1;
+    int kept = 0;
+    sky->next = INFINITY;
+    for (int i = 0; i < sky->near_count; ++i) {
+        if (sky->near[i].reach <= bound) {
+            sky_fill(sky, sky->near[i]);
+            continue;
+        }
+        if (sky->near[i].reach < sky->next) sky->next = sky->near[i].reach;
+        sky->near[kept++] = sky->near[i];
+    }
+    sky->near_count = kept;
+}
+
+int sky_advance(skyline *sky, double bound)
+{
+    if (bound >= sky->next) sky_pass(sky, bound);
+    return !sky_filled(sky, sky->from, sky->to);
+}
+
+int sky_hides(const skyline *sky, double from, double to, double length)
+{
+    if (from < sky->from) from = sky->from;
+    if (to > sky->to) to = sky->to;
+    if (sky_filled(sky, from, to)) return 1;
     for (int i = 0; i < sky->near_count; ++i)
-        if (sky->near[i].from <= heading && heading <= sky->near[i].to && sky->near[i].reach < length) return 1;
+        if (sky->near[i].from <= from && to <= sky->near[i].to && sky->near[i].reach < length) return 1;
     return 0;
 }

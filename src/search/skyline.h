@@ -21,6 +21,7 @@ typedef struct sky_cover {
 typedef struct skyline {
     double from; /* the chunk's headings */
     double to;
+    double next; /* the least reach that is not passed */
     sky_cover near[SKY_COVERS]; /* whose reach is not passed yet */
     int near_count;
     sky_cover full[SKY_COVERS]; /* passed: in order, disjoint */
@@ -35,10 +36,7 @@ void sky_add(skyline *sky, double from, double to, double reach);
 /* Every leg still to come is at least this long. Returns 0 when nothing more can be seen. */
 int sky_advance(skyline *sky, double bound);
 
-/* Is everything in this window hidden from legs still to come? */
-int sky_hides_window(const skyline *sky, double from, double to);
-
-/* Is a leg of this heading and length hidden? */
-int sky_hides_leg(const skyline *sky, double heading, double length);
+/* Is every leg of a heading in this window hidden that is at least this long, and not shorter than the bound that sky_advance() was told? */
+int sky_hides(const skyline *sky, double from, double to, double length);
 
 #endif

@@ -30,6 +30,7 @@ void tdsp_solver_free(tdsp_solver *solver)
     const tdsp_allocator *memory = &solver->scene->allocator;
     engine_free(&solver->engine);
     relax_free(&solver->relaxation);
+    enclosure_free(&solver->enclosure, memory);
     memory_free(memory, solver->path, solver->path_capacity * sizeof *solver->path);
     memory_free(memory, solver->gaps, solver->gap_capacity * sizeof *solver->gaps);
     memory_free(memory, solver, sizeof *solver);
@@ -49,14 +50,25 @@ engine_question solver_forward_question(const tdsp_scene *scene, double departur
     until += GEOM_CONTACT * fabs(until); /* the last robot meets the disc that covers the destination: a touch */
     double time = scene_is_still(scene) ? 0.0 : departure / scene->time; /* where nothing grows one time is as good as another */
     engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, time, -INFINITY, until,
-                                until, 0, NULL, 0};
+                                until, 1.0, 0, 0, NULL, 0};
     return question;
+}
+
+/* Among all discs scouts go first; where they are lost, the destination may be walled in. */
+static tdsp_status solver_run(tdsp_solver *solver, const disc_set *set, engine_question *question)
+{
+    disc_engine *engine = &solver->engine;
+    int lost = 0;
+    tdsp_status status = set == &solver->scene->all ? engine_scout(engine, question, &lost) : TDSP_OK;
+    if (status == TDSP_OK && lost) status = enclosure_test(&solver->enclosure, engine, question->time, &solver->is_enclosed);
+    return status == TDSP_OK && !solver->is_enclosed ? engine_run(engine, set, question) : status;
 }
 
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival)
 {
     const tdsp_scene *scene = solver->scene;
     solver->engine.arrived = ENGINE_NONE;
+    solver->is_enclosed = 0;
     if (scene_covered(scene->source_cover, departure)) return TDSP_SOURCE_COVERED;
     if (point_distance(scene->source, scene->destination) == 0.0) {
         *arrival = departure;
@@ -66,7 +78,7 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
     double latest = question.time + (until - departure) / scene->time;
     question.limit = fmin(question.limit, latest + GEOM_CONTACT * fabs(latest));
     ++solver->work.forward_searches;
-    tdsp_status status = engine_run(&solver->engine, set, &question);
+    tdsp_status status = solver_run(solver, set, &question);
     if (status != TDSP_OK) return status;
     if (solver->engine.arrived == ENGINE_NONE) return TDSP_CUT_OFF;
     double found = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
@@ -133,7 +145,7 @@ tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *o
     out->labels = solver->engine.open->taken;
     out->legs_tested = solver->engine.legs_tested;
     out->rounds = solver->relaxation.rounds;
-    out->bytes = sizeof *solver + engine_bytes(&solver->engine) + relax_bytes(&solver->relaxation) + solver->path_capacity * sizeof *solver->path +
+    out->bytes = sizeof *solver + engine_bytes(&solver->engine) + relax_bytes(&solver->relaxation) + set_bytes(&solver->enclosure.wall) + solver->path_capacity * sizeof *solver->path +
                  solver->gap_capacity * sizeof *solver->gaps;
     return TDSP_OK;
 }

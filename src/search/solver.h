@@ -2,6 +2,7 @@
 #ifndef SEARCH_SOLVER_H
 #define SEARCH_SOLVER_H
 
+#include "search/enclosure.h"
 #include "search/relax.h"
 #include "tdsp/solver.h"
 
@@ -9,6 +10,8 @@ struct tdsp_solver {
     const tdsp_scene *scene;
     disc_engine engine;
     relaxation relaxation;
+    enclosure enclosure;
+    int is_enclosed; /* the last forward search found the destination walled in */
     tdsp_leg *path; /* of the last answer, in the user's units */
     size_t path_count, path_capacity;
     int has_path;

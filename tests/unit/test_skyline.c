@@ -44,11 +44,11 @@ static void check_bound(skyline *sky, const sky_cover *covers, int count, double
     if (more) assert_false(window_covered(covers, count, -0.25, 0.25, bound, -MARGIN));
     for (int k = 0; k < 50; ++k) {
         double from = chance_between(chance, -0.25, 0.25), to = fmin(0.25, from + chance_between(chance, 0.0, 0.1));
-        int hidden = sky_hides_window(sky, from, to);
+        int hidden = sky_hides(sky, from, to, bound);
         if (hidden) assert_true(window_covered(covers, count, from, to, bound, 0.0));
         if (!hidden) assert_false(window_covered(covers, count, from, to, bound, -MARGIN));
         double length = bound + chance_between(chance, 0.0, 1.0);
-        hidden = sky_hides_leg(sky, from, length);
+        hidden = sky_hides(sky, from, from, length);
         if (hidden) assert_true(covered(covers, count, from, length, 0.0));
         if (!hidden) assert_false(covered(covers, count, from, length * (1.0 - 1e-12), -MARGIN));
     }
@@ -92,7 +92,7 @@ static void covers_beyond_the_room_only_hide_less(void **state)
             if (i % 50 == 49) assert_true(sky_advance(&sky, i / 400.0));
             for (int j = 0; j < 5; ++j) {
                 double heading = chance_between(&chance, -0.25, 0.25);
-                if (sky_hides_leg(&sky, heading, 0.5)) assert_true(covered(covers, i + 1, heading, i / 400.0 > 0.5 ? 1.0 : 0.5, 0.0));
+                if (sky_hides(&sky, heading, heading, 0.5)) assert_true(covered(covers, i + 1, heading, i / 400.0 > 0.5 ? 1.0 : 0.5, 0.0));
             }
         }
         assert_true(sky.near_count <= SKY_COVERS && sky.full_count <= SKY_COVERS);
@@ -123,8 +123,8 @@ static void an_empty_sky_hides_nothing(void **state)
     skyline sky;
     sky_init(&sky, -0.1, 0.1);
     assert_true(sky_advance(&sky, 1e9));
-    assert_false(sky_hides_window(&sky, 0.0, 0.0));
-    assert_false(sky_hides_leg(&sky, 0.0, 1e9));
+    assert_false(sky_hides(&sky, 0.0, 0.0, 0.0));
+    assert_false(sky_hides(&sky, 0.0, 0.0, 1e9));
 }
 
 static void a_leg_shorter_than_the_reach_is_seen(void **state)
@@ -134,10 +134,10 @@ static void a_leg_shorter_than_the_reach_is_seen(void **state)
     sky_init(&sky, -0.1, 0.1);
     sky_add(&sky, -0.05, 0.05, 2.0);
     assert_true(sky_advance(&sky, 1.0));
-    assert_false(sky_hides_leg(&sky, 0.0, 1.5));
-    assert_false(sky_hides_leg(&sky, 0.0, 2.0));
-    assert_true(sky_hides_leg(&sky, 0.0, 2.5));
-    assert_false(sky_hides_leg(&sky, 0.06, 2.5));
+    assert_false(sky_hides(&sky, 0.0, 0.0, 1.5));
+    assert_false(sky_hides(&sky, 0.0, 0.0, 2.0));
+    assert_true(sky_hides(&sky, 0.0, 0.0, 2.5));
+    assert_false(sky_hides(&sky, 0.06, 0.06, 2.5));
 }
 
 static void a_leg_along_the_edge_of_a_cover_is_seen_but_not_at_the_chunks_own_end(void **state)
@@ -146,8 +146,8 @@ static void a_leg_along_the_edge_of_a_cover_is_seen_but_not_at_the_chunks_own_en
     skyline sky;
     sky_init(&sky, -0.1, 0.1);
     sky_add(&sky, -0.1, 0.05, 1.0);
-    assert_true(sky_hides_leg(&sky, -0.1, 2.0));
-    assert_false(sky_hides_leg(&sky, 0.05, 2.0));
+    assert_true(sky_hides(&sky, -0.1, -0.1, 2.0));
+    assert_false(sky_hides(&sky, 0.05, 0.05, 2.0));
 }
 
 int main(void)

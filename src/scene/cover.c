@@ -87,35 +87,30 @@ static int cover_enclosed(cover_job *job, const index_view *view, uint32_t self)
 
 #define POINTS 8
 
-/* A few points on each boundary of a leaf, and which of them lie in no disc that was looked at. */
+/* The discs of a leaf, and which of a few points on their boundaries lie in no disc that was looked at. */
 typedef struct cover_probe {
-    tdsp_point points[INDEX_LEAF][POINTS];
-    unsigned open[INDEX_LEAF];
     uint32_t first, count;
     uint32_t left; /* not dropped */
+    unsigned open[INDEX_LEAF];
 } cover_probe;
 
-static void probe_start(cover_probe *probe, cover_job *job, const index_node *leaf)
+static cover_probe probe_make(const index_node *leaf)
+{
+    cover_probe probe = {leaf->first, leaf->count, leaf->count, {0}};
+    for (uint32_t i = 0; i < leaf->count; ++i) probe.open[i] = (1u << POINTS) - 1u;
+    return probe;
+}
+
+/* The points of a disc's boundary that lie outside another, which stands at `between` from it. */
+static unsigned points_outside(const geom_disc *disc, const geom_disc *other, tdsp_point between)
 {
     static const double diagonal = 0.70710678118654752440;
     static const tdsp_point unit[POINTS] = {{1.0, 0.0},  {diagonal, diagonal},   {0.0, 1.0},  {-diagonal, diagonal},
                                             {-1.0, 0.0}, {-diagonal, -diagonal}, {0.0, -1.0}, {diagonal, -diagonal}};
-    probe->first = leaf->first;
-    probe->count = probe->left = leaf->count;
-    for (uint32_t i = 0; i < leaf->count; ++i) {
-        const geom_disc *disc = &job->items.discs[leaf->first + i];
-        probe->open[i] = (1u << POINTS) - 1u;
-        for (int p = 0; p < POINTS; ++p) probe->points[i][p] = point_along(disc->center, disc->radius, unit[p]);
-    }
-}
-
-/* The points that the disc leaves open. */
-static unsigned probe_outside(const tdsp_point *points, const geom_disc *disc)
-{
     unsigned outside = 0;
-    double squared = disc->radius * disc->radius * (1.0 + OVERLAP);
+    double squared = other->radius * other->radius * (1.0 + OVERLAP);
     for (int p = 0; p < POINTS; ++p) {
-        tdsp_point offset = point_sub(points[p], disc->center);
+        tdsp_point offset = point_sub(point_scale(disc->radius, unit[p]), between);
         outside |= (unsigned)(point_dot(offset, offset) > squared) << p;
     }
     return outside;
@@ -134,7 +129,7 @@ static void probe_compare(cover_probe *probe, cover_job *job, uint32_t i, uint32
         --probe->left;
         return;
     }
-    probe->open[i] &= probe_outside(probe->points[i], other);
+    probe->open[i] &= points_outside(disc, other, between);
 }
 
 static void probe_leaf(cover_probe *probe, cover_job *job, const index_node *own, const index_node *leaf)
@@ -169,8 +164,7 @@ static void probe_walk(cover_probe *probe, cover_job *job, const index_node *nod
 
 static void cover_leaf(cover_job *job, const index_view *view, const index_node *leaf)
 {
-    cover_probe probe;
-    probe_start(&probe, job, leaf);
+    cover_probe probe = probe_make(leaf);
     probe_walk(&probe, job, view->index->nodes, leaf);
     for (uint32_t i = 0; i < leaf->count && job->status == TDSP_OK; ++i) {
         uint32_t self = leaf->first + i;

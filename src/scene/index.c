@@ -13,8 +13,8 @@
 /* Below this depth branches are halved by number: 31 more levels reach single discs. */
 #define DEPTH_BY_PLACE 64u
 
-/* No disc's place in the order is asked to tell rates apart that are all hopeless to outrun. */
-#define FASTEST 2.0
+/* Rates above this are not told apart: they are hopeless to outrun, and floats end somewhere. */
+#define FASTEST 1e6
 
 /* Boxes are wider than their discs by this share of the coordinates, against rounding. */
 #define BOX_SLACK 1e-15

@@ -43,8 +43,8 @@ typedef struct line_region {
     tdsp_point slope; /* |heading|, by coordinates */
     tdsp_point middle;
     tdsp_point half; /* of the box's sides */
-    double late;     /* the true time at which radii are largest */
-    double moment;   /* the same in the view's time */
+    double late;     /* the true time at which radii are largest, and a little more */
+    double moment;   /* the same in the view's time, to the bit */
     double slack;
 } line_region;
 
@@ -57,10 +57,9 @@ static void line_region_cut(line_region *region, double length)
 
 static line_region region_of_line(const index_view *view, const geom_line *line)
 {
-    double start = view->sign * line->start, end = view->sign * (line->start + line->length);
-    line_region region = {.from = line->from, .heading = line->heading, .late = start > end ? start : end};
+    double start = view->sign * line->start, end = view->sign * (line->start + line->length), late = start > end ? start : end;
+    line_region region = {.from = line->from, .heading = line->heading, .late = late * SLACK, .moment = view->sign * late};
     region.slope = point_make(fabs(line->heading.x), fabs(line->heading.y));
-    region.moment = view->sign * region.late;
     region.slack = SLACK_LENGTH + SLACK_PLACE * (fabs(line->from.x) + fabs(line->from.y) + line->length);
     line_region_cut(&region, line->length);
     return region;
@@ -69,7 +68,7 @@ static line_region region_of_line(const index_view *view, const geom_line *line)
 /* The segment against the node's box, grown by its reach. */
 static inline int line_meets_node(const line_region *region, const index_node *node)
 {
-    double reach = index_node_reach(node, region->late) * SLACK + region->slack;
+    double reach = index_node_reach(node, region->late) + region->slack;
     if (fabs(node->middle.x - region->middle.x) > region->half.x + node->half_x + reach) return 0;
     if (fabs(node->middle.y - region->middle.y) > region->half.y + node->half_y + reach) return 0;
     double across = fabs(point_cross(region->heading, point_sub(node->middle, region->from)));

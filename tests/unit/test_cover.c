@@ -224,6 +224,18 @@ static void a_disc_ringed_by_others_is_dropped_only_when_the_ring_is_whole(void 
     }
 }
 
+/* The places that are looked at first: they alone prove nothing. */
+static void a_disc_covered_at_eight_places_only_is_kept(void **state)
+{
+    (void)state;
+    static heap_of_discs h;
+    memset(&h, 0, sizeof h);
+    add(&h, 0.0, 0.0, 1.0, 0.1);
+    for (int i = 0; i < 8; ++i) add(&h, cos(i * GEOM_TURN / 8.0), sin(i * GEOM_TURN / 8.0), 0.1, 0.1);
+    drop_well(&h);
+    assert_int_equal(h.kept, 9);
+}
+
 static void points_that_never_grow_are_dropped(void **state)
 {
     (void)state;
@@ -314,6 +326,7 @@ int main(void)
         cmocka_unit_test(of_equal_discs_one_is_kept),
         cmocka_unit_test(a_disc_inside_a_faster_one_is_dropped_and_inside_a_slower_one_kept),
         cmocka_unit_test(a_disc_ringed_by_others_is_dropped_only_when_the_ring_is_whole),
+        cmocka_unit_test(a_disc_covered_at_eight_places_only_is_kept),
         cmocka_unit_test(points_that_never_grow_are_dropped),
         cmocka_unit_test(nothing_is_kept_of_nothing),
         cmocka_unit_test(dropping_changes_no_arrival),

@@ -22,13 +22,16 @@ typedef struct world {
     tdsp_allocator memory;
 } world;
 
-/* Spread out, in clusters, all in one place, in a row; rates alike or not. */
+enum { KINDS = 6 };
+
+/* Spread out, in clusters, all in one place, in a row, spread out again, clusters nested in clusters; rates alike or not. */
 static geom_disc random_disc(uint64_t *chance, int kind)
 {
     tdsp_point place = point_make(chance_between(chance, -10.0, 10.0), chance_between(chance, -10.0, 10.0));
     if (kind == 1) place = point_make(floor(place.x / 5.0) + 0.05 * place.y, floor(place.y / 5.0));
     if (kind == 2) place = point_make(1.0, 1.0);
     if (kind == 3) place.y = 0.0;
+    if (kind == 5) place = point_scale(ldexp(1.0, -(int)chance_below(chance, 300)), place);
     double rate = kind % 2 ? 0.2 : chance_between(chance, 0.0, 1.3);
     return disc_make(place, chance_between(chance, 0.0, 0.6), rate);
 }
@@ -66,7 +69,7 @@ static void each_world(uint64_t seed, void (*check)(const world *w, uint64_t *ch
     static const uint32_t counts[] = {0, 1, 2, 4, 5, 17, 100, 400};
     uint64_t chance = seed;
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; ++i)
-        for (int kind = 0; kind < 5; ++kind) {
+        for (int kind = 0; kind < KINDS; ++kind) {
             world *w = world_make(&chance, counts[i], kind);
             check(w, &chance);
             world_free(w);
@@ -100,19 +103,27 @@ static void assert_inside(const index_node *node, const geom_disc *disc)
     assert_exact(index_node_distance(node, disc->center), 0.0);
 }
 
-/* The first disc after those below the node. */
-static uint32_t check_node(const scene_index *index, const geom_disc *discs, uint32_t self, uint32_t first)
+/* The first disc after those below the node, which is `depth` nodes below the root. */
+static uint32_t check_node_below(const scene_index *index, const geom_disc *discs, uint32_t self, uint32_t first, int depth)
 {
     const index_node *node = &index->nodes[self];
     uint32_t last = first + node->count;
-    assert_true(self < index->node_count);
-    if (node->count == 0) last = check_node(index, discs, node->right, check_node(index, discs, self + 1, first));
-    if (node->count) assert_int_equal(node->first, first);
+    assert_true(self < index->node_count && depth < INDEX_DEPTH && node->count <= INDEX_LEAF);
+    assert_int_equal(node->first, first);
+    if (node->count == 0) {
+        last = check_node_below(index, discs, self + 1, first, depth + 1);
+        last = check_node_below(index, discs, node->right, last, depth + 1);
+    }
     assert_true(last > first);
     for (uint32_t i = first; i < last; ++i) {
         assert_inside(node, &discs[i]);
     }
     return last;
+}
+
+static uint32_t check_node(const scene_index *index, const geom_disc *discs, uint32_t self, uint32_t first)
+{
+    return check_node_below(index, discs, self, first, 0);
 }
 
 static void check_tree(const world *w, uint64_t *chance)
@@ -298,7 +309,7 @@ static void a_visit_that_returns_0_is_the_last(void **state)
 static void the_same_discs_are_ordered_in_the_same_way(void **state)
 {
     (void)state;
-    for (int kind = 0; kind < 5; ++kind) {
+    for (int kind = 0; kind < KINDS; ++kind) {
         uint64_t a = 9, b = 9;
         world *one = world_make(&a, 300, kind), *two = world_make(&b, 300, kind);
         assert_memory_equal(one->given, two->given, sizeof one->given);
@@ -328,6 +339,70 @@ static void building_again_uses_the_memory_again(void **state)
     world_free(w);
 }
 
+/* A field of small still discs, and one that is not. */
+static world *world_with_one(double radius, double rate)
+{
+    world *w = calloc(1, sizeof *w);
+    assert_non_null(w);
+    w->count = MOST;
+    w->memory = memory_allocator(NULL);
+    for (uint32_t i = 0; i < MOST; ++i) {
+        w->discs[i] = disc_make(point_make(i % 20, i / 20), 0.2, 0.01);
+        w->given[i] = i;
+    }
+    w->discs[MOST / 2] = disc_make(point_make(7.3, 11.2), radius, rate);
+    index_items items = {w->discs, w->given, w->spare, w->count};
+    assert_int_equal(index_build(&w->index, &w->memory, items), TDSP_OK);
+    return w;
+}
+
+static void a_large_disc_and_a_fast_one_get_a_branch_of_their_own(void **state)
+{
+    (void)state;
+    world *large = world_with_one(30.0, 0.01), *fast = world_with_one(0.2, 100.0);
+    uint32_t blown_up = 0, hurried = 0;
+    for (uint32_t k = 0; k < large->index.node_count; ++k) blown_up += large->index.nodes[k].half_x >= 30.0f;
+    assert_int_equal(blown_up, 2); /* the root and a leaf */
+    for (uint32_t k = 0; k < fast->index.node_count; ++k) hurried += fast->index.nodes[k].rate > 1.0f;
+    assert_int_equal(hurried, 2);
+    world_free(large);
+    world_free(fast);
+}
+
+static void a_rate_beyond_floats_reaches_everywhere_at_once(void **state)
+{
+    (void)state;
+    world *w = world_with_one(0.2, 1e200);
+    index_view view = view_of(w, 1);
+    visits v = {{0}, 0, 0};
+    uint32_t fast = 0;
+    while (w->discs[fast].rate < 1e200) ++fast;
+    index_near(&view, point_make(-1e12, 1e12), 0.0, 1e-180, visit, &v);
+    assert_int_equal(v.seen[fast], 1);
+    geom_line line = {point_make(-500.0, 500.0), point_make(1.0, 0.0), 0.0, 1.0};
+    assert_int_equal(index_line_blocked(&view, &line, INDEX_NONE, INDEX_NONE), 1);
+    world_free(w);
+}
+
+static void trimming_gives_back_what_only_building_needs(void **state)
+{
+    (void)state;
+    uint64_t chance = 11;
+    toy_heap heap = {0, 0, 0, 0};
+    tdsp_allocator memory = toy_allocator(&heap);
+    world *w = world_make(&chance, 300, 0);
+    scene_index index = {0};
+    index_items items = {w->discs, w->given, w->spare, w->count};
+    assert_int_equal(index_build(&index, &memory, items), TDSP_OK);
+    assert_int_equal(heap.held, index_bytes(&index));
+    assert_int_equal(index_trim(&index, &memory), TDSP_OK);
+    assert_int_equal(heap.held, index.node_count * sizeof *index.nodes);
+    assert_int_equal(check_node(&index, w->discs, 0, 0), 300);
+    index_free(&index, &memory);
+    assert_int_equal(heap.held, 0);
+    world_free(w);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -341,6 +416,9 @@ int main(void)
         cmocka_unit_test(a_visit_that_returns_0_is_the_last),
         cmocka_unit_test(the_same_discs_are_ordered_in_the_same_way),
         cmocka_unit_test(building_again_uses_the_memory_again),
+        cmocka_unit_test(a_large_disc_and_a_fast_one_get_a_branch_of_their_own),
+        cmocka_unit_test(a_rate_beyond_floats_reaches_everywhere_at_once),
+        cmocka_unit_test(trimming_gives_back_what_only_building_needs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

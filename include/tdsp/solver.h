@@ -48,6 +48,21 @@ TDSP_API void tdsp_solver_free(tdsp_solver *solver);
 TDSP_API tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival);
 
 /**
+ * A path that is not the best for certain, and how good the best can be: *lower <= A(departure) <= *arrival, with
+ *
+ *     *arrival - departure <= (1 + delta) (*lower - departure)
+ *
+ * up to the solver's stated error. Across wide scenes it takes a small part of the time of an exact answer, whose proof costs more than finding it.
+ * tdsp_solver_path() hands out the path that arrives at *arrival.
+ *
+ * @param delta    from 0 (exact) to 1
+ * @param arrival  infinity when there is no way; untouched on error
+ * @param lower    likewise
+ * @return as tdsp_earliest_arrival(); TDSP_INVALID_ARGUMENT also for a delta out of its range. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, double delta, double *arrival, double *lower);
+
+/**
  * A^-1(a) = sup { t : A(t) <= a }: the latest departure that arrives at `arrival` or before, exact also where A jumps.
  * An arrival after the last possible one answers the last departure.
  *

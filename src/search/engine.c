@@ -220,13 +220,18 @@ static const double SCOUTS[] = {1.2, 1.02};
 /* A path's time is rounded: the best path may seem this share of the times at hand later than one that is no better. */
 #define LIMIT_SLACK 1e-12
 
+uint64_t engine_patience(const disc_engine *engine)
+{
+    return PATIENCE_LEAST + (uint64_t)(PATIENCE * sqrt((double)engine->scene->all.count));
+}
+
 tdsp_status engine_scout(disc_engine *engine, engine_question *question, int *lost)
 {
     const disc_set *all = &engine->scene->all;
     engine_question ask = *question;
     *lost = 0;
     if (all->count <= SCOUTED) return TDSP_OK;
-    ask.patience = PATIENCE_LEAST + (uint64_t)(PATIENCE * sqrt((double)all->count));
+    ask.patience = engine_patience(engine);
     for (size_t i = 0; i < sizeof SCOUTS / sizeof *SCOUTS; ++i) {
         ask.weight = SCOUTS[i];
         tdsp_status status = engine_run(engine, all, &ask);

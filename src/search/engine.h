@@ -108,6 +108,9 @@ uint64_t engine_bytes(const disc_engine *engine);
  */
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question);
 
+/* After how many chunks a search that only means to find some path across all discs should give up. */
+uint64_t engine_patience(const disc_engine *engine);
+
 /*
  * Send scouts ahead: searches among all discs with heavier bounds and little patience. If they find a path the question's limit becomes its arrival, which keeps the
  * search for the best path from looking where it cannot be. *lost is 1 when they found none.

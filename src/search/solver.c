@@ -54,6 +54,12 @@ engine_question solver_forward_question(const tdsp_scene *scene, double departur
     return question;
 }
 
+double solver_time_of(const tdsp_scene *scene, double departure, double began, double time)
+{
+    double found = departure + (time - began) * scene->time;
+    return fmin(found, fmax(departure, scene->destination_cover.time));
+}
+
 /* Among all discs scouts go first; where they are lost, the destination may be walled in. */
 static tdsp_status solver_run(tdsp_solver *solver, const disc_set *set, engine_question *question)
 {
@@ -81,8 +87,7 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
     tdsp_status status = solver_run(solver, set, &question);
     if (status != TDSP_OK) return status;
     if (solver->engine.arrived == ENGINE_NONE) return TDSP_CUT_OFF;
-    double found = departure + (engine_arrival(&solver->engine) - question.time) * scene->time;
-    *arrival = fmin(found, fmax(departure, scene->destination_cover.time));
+    *arrival = solver_time_of(scene, departure, question.time, engine_arrival(&solver->engine));
     return TDSP_OK;
 }
 

@@ -29,6 +29,9 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
 /* The engine's question behind solver_forward(). */
 engine_question solver_forward_question(const tdsp_scene *scene, double departure);
 
+/* A time of the frame in a search that began at `began` for this departure, in the user's units. */
+double solver_time_of(const tdsp_scene *scene, double departure, double began, double time);
+
 /* As solver_forward() among all discs, by relaxation. */
 tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival);
 

@@ -14,6 +14,16 @@
 extern "C" {
 #endif
 
+/** Private: where a guide is in the bytes, and how to read it (docs/format.md, section 7). */
+typedef struct tdsp_guide {
+    const unsigned char *bases; /* its two parts; NULL: the table has none */
+    const unsigned char *counts;
+    uint64_t cells;
+    double scale; /* cells per unit of time */
+    double first; /* the time that cell 0 starts at, and the last row's */
+    double last;
+} tdsp_guide;
+
 /**
  * An opened table: a view of the caller's bytes, which must stay as they are while it is used. Members are private. Copy it freely;
  * any number of threads may read it.
@@ -35,6 +45,9 @@ typedef struct tdsp_table {
     uint64_t opaque_length;
     uint32_t monotone;
     uint32_t joint; /* waypoints at the joint of two legs: 1 or 2 */
+    uint64_t last;  /* the bits of the last departure; 0 where it is 0 */
+    tdsp_guide by_departure;
+    tdsp_guide by_arrival;
     uint64_t reserved;
 } tdsp_table;
 
@@ -60,9 +73,9 @@ typedef struct tdsp_table_info {
     uint64_t legs;
     uint64_t length; /* bytes */
     uint64_t scene_hash;
-    double epsilon;         /* the bound of travel and arrival; 0 for absolute */
-    double delta;           /* the bound of absolute; 0 for the others */
-    double error;           /* the oracle's stated error: of A(t), error * (T(t) + time_scale) */
+    double epsilon; /* the bound of travel and arrival; 0 for absolute */
+    double delta;   /* the bound of absolute; 0 for the others */
+    double error;   /* the oracle's stated error: of A(t), error * (T(t) + time_scale) */
     double time_scale;
     double speed;
     tdsp_point source;
@@ -73,6 +86,7 @@ typedef struct tdsp_table_info {
     tdsp_status last_reason; /* why there is no answer after it */
     char length_unit[16];    /* ends with a zero byte */
     char time_unit[16];
+    uint64_t guide_length; /* bytes of the guides that speed up look-ups; 0: none */
 } tdsp_table_info;
 
 /** What the header says. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */
@@ -81,9 +95,10 @@ TDSP_API tdsp_status tdsp_table_get_info(const tdsp_table *table, tdsp_table_inf
 typedef struct tdsp_row {
     double departure; /* b_i */
     double left;      /* T(b_i), rounded up: the row's path takes no longer */
-    double right;     /* T(b_i+), rounded down: over left at a jump; infinite for the last row of a table that does not end at a horizon.
+    double
+        right; /* T(b_i+), rounded down: over left at a jump; infinite for the last row of a table that does not end at a horizon.
                          Elsewhere it may be below left by as much as both were rounded. */
-    uint64_t legs;    /* legs of the row's path */
+    uint64_t legs; /* legs of the row's path */
 } tdsp_row;
 
 /** Row i. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */
@@ -120,6 +135,10 @@ TDSP_API tdsp_status tdsp_table_arrivals(const tdsp_table *table, const double *
 /** As tdsp_table_arrivals(), for tdsp_table_departure(). Where a status is not TDSP_OK both results are -infinity. Since 0.1. */
 TDSP_API tdsp_status tdsp_table_departures(const tdsp_table *table, const double *arrivals, size_t count, double *departures,
                                            double *departures_upper, tdsp_status *statuses);
+
+/** As tdsp_table_arrivals(), for tdsp_table_find(): where a status is not TDSP_OK the row is the number of rows. Since 0.1. */
+TDSP_API tdsp_status tdsp_table_rows(const tdsp_table *table, const double *departures, size_t count, uint64_t *rows,
+                                     tdsp_status *statuses);
 
 /**
  * Leg `leg` of the path that answers `departure`: the row's path moved earlier by b_i - departure (a table that is monotone in travel), or as

@@ -13,7 +13,7 @@
 #include "base/round.h"
 #include "base/sizes.h"
 #include "scene/allocator.h"
-#include "table/format.h"
+#include "table/guide.h"
 #include "tdsp/table.h"
 
 typedef struct writer_kept {
@@ -128,11 +128,10 @@ static void writer_append(writer *w, const writer_row *row)
     if (row->byte_count > 0) memcpy(w->bytes + w->byte_count, row->bytes, row->byte_count);
     w->leg_count += row->leg_count;
     w->byte_count += row->byte_count;
-    for (size_t i = 0; i < row->leg_count; i++)
-        w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
+    for (size_t i = 0; i < row->leg_count; i++) w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
     if (row->leg_count > 0) w->path_count++;
     if (writer_row_joint(row) == 2) w->joint = 2;
-    writer_kept kept = {row->departure, row->left, row->right, w->leg_count, w->byte_count};
+    writer_kept kept = {row->departure + 0.0, row->left, row->right, w->leg_count, w->byte_count}; /* -0 becomes 0 */
     w->rows[w->row_count++] = kept;
 }
 
@@ -150,11 +149,75 @@ tdsp_status writer_add(writer *w, const writer_row *row)
 
 /* ------------------------------------------------------------------------------------------------------- laying out */
 
+/*
+ * Cells a row. Fine ones leave a look-up nothing to do but to confirm the row: with eight a departure is at the first row of its cell 19
+ * times in 20. A guide that outgrows the nearer caches costs more than it saves, therefore fewer in large tables. Arrivals are asked
+ * less. Tables of a few rows are searched as fast without (docs/decisions/0006).
+ */
+#define WRITER_CELLS 8.0
+#define WRITER_CELLS_LARGE 2.0
+#define WRITER_CELLS_ARRIVAL 2.0
+#define WRITER_LARGE 131072u
+#define WRITER_GUIDE_MIN_ROWS 16u
+
+typedef struct writer_guide {
+    uint64_t cells; /* 0: no guide */
+    double first;
+    double scale;
+} writer_guide;
+
+static double writer_key(const writer *w, size_t section, size_t row)
+{
+    const writer_kept *kept = &w->rows[row];
+    return section == FORMAT_BY_DEPARTURE ? kept->departure : kept->departure + kept->left;
+}
+
+static int writer_keys_rise(const writer *w, size_t section)
+{
+    for (size_t row = 1; row < w->row_count; row++) {
+        if (!(writer_key(w, section, row - 1) <= writer_key(w, section, row))) return 0;
+    }
+    return round_is_finite(writer_key(w, section, w->row_count - 1));
+}
+
+static double writer_cells_per_row(const writer *w, size_t section)
+{
+    if (section == FORMAT_BY_ARRIVAL) return WRITER_CELLS_ARRIVAL;
+    return w->row_count < WRITER_LARGE ? WRITER_CELLS : WRITER_CELLS_LARGE;
+}
+
+/* None where the span is 0 or so small or large that a cell's length is no double. */
+static writer_guide writer_lay_out_guide(const writer *w, size_t section)
+{
+    writer_guide none = {0, 0, 0};
+    if (w->row_count < WRITER_GUIDE_MIN_ROWS || !writer_keys_rise(w, section)) return none;
+    writer_guide guide = {0, writer_key(w, section, 0), 0};
+    double last = writer_key(w, section, w->row_count - 1);
+    guide.scale = writer_cells_per_row(w, section) * (double)w->row_count / (last - guide.first);
+    if (!(guide.scale > 0) || !round_is_finite(guide.scale)) return none;
+    guide.cells = guide_cell(guide.first, guide.scale, last) + 1;
+    return guide;
+}
+
 typedef struct writer_layout {
     uint64_t waypoints;
-    uint64_t offsets[FORMAT_SECTIONS];
+    uint64_t header;
+    uint64_t offsets[FORMAT_SECTIONS_1];
     uint64_t length;
+    writer_guide guides[FORMAT_SECTIONS_1 - FORMAT_SECTIONS];
 } writer_layout;
+
+/* A table without guides is one of version 1.0. */
+static void writer_lay_out_guides(const writer *w, writer_layout *out, uint64_t sizes[FORMAT_SECTIONS_1])
+{
+    out->header = FORMAT_HEADER_LENGTH;
+    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1; i++) {
+        writer_guide guide = writer_lay_out_guide(w, i);
+        sizes[i] = guide_size(guide.cells);
+        if (guide.cells > 0) out->header = FORMAT_HEADER_LENGTH_1;
+        out->guides[i - FORMAT_SECTIONS] = guide;
+    }
+}
 
 /* Waypoints and arcs are numbered by 32 bits, of which the last number means none. */
 static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
@@ -163,15 +226,16 @@ static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
     out->waypoints = w->joint == 1 ? legs + w->path_count : 2 * legs;
     if (out->waypoints >= FORMAT_NONE || w->arc_count >= FORMAT_NONE) return TDSP_NOT_SUPPORTED;
     uint64_t rows = w->row_count;
-    uint64_t sizes[FORMAT_SECTIONS];
+    uint64_t sizes[FORMAT_SECTIONS_1];
     sizes[FORMAT_DEPARTURES] = sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = 8 * rows;
     sizes[FORMAT_FIRST_WAYPOINT] = legs > 0 ? 4 * (rows + 1) : 0;
     sizes[FORMAT_WAYPOINTS] = FORMAT_WAYPOINT_SIZE * out->waypoints;
     sizes[FORMAT_ARCS] = FORMAT_ARC_SIZE * w->arc_count;
     sizes[FORMAT_FIRST_BYTE] = w->byte_count > 0 ? 8 * (rows + 1) : 0;
     sizes[FORMAT_OPAQUE] = w->byte_count;
-    out->length = FORMAT_HEADER_LENGTH;
-    for (size_t i = 0; i < FORMAT_SECTIONS; i++) {
+    writer_lay_out_guides(w, out, sizes);
+    out->length = out->header;
+    for (size_t i = 0; i < FORMAT_SECTIONS_1; i++) {
         out->offsets[i] = out->length;
         if (!sizes_add(out->length, sizes[i], &out->length) || !sizes_align8(out->length, &out->length)) return TDSP_NO_MEMORY;
     }
@@ -251,6 +315,23 @@ static void writer_put_rows(const writer *w, const writer_layout *layout, unsign
     if (w->byte_count > 0) memcpy(bytes + layout->offsets[FORMAT_OPAQUE], w->bytes, w->byte_count);
 }
 
+/* How many rows are in the cells before each cell: at a block's first cell in full, at each cell what came since, up to a byte. */
+static void writer_put_guide(const writer *w, const writer_layout *layout, size_t section, unsigned char *bytes)
+{
+    const writer_guide *guide = &layout->guides[section - FORMAT_SECTIONS];
+    if (guide->cells == 0) return;
+    unsigned char *bases = bytes + layout->offsets[section];
+    unsigned char *counts = bases + guide_bases_size(guide->cells);
+    size_t row = 0, base = 0;
+    for (uint64_t cell = 0; cell < guide->cells; cell++) {
+        while (guide_cell(guide->first, guide->scale, writer_key(w, section, row)) < cell) row++;
+        if (cell % FORMAT_GUIDE_BLOCK == 0) base = row;
+        bytes_put_u32(bases + 4 * (cell / FORMAT_GUIDE_BLOCK), (uint32_t)base);
+        counts[cell] = (unsigned char)(row - base < FORMAT_GUIDE_FULL ? row - base : FORMAT_GUIDE_FULL);
+    }
+    bytes_put_u32(counts - 4, (uint32_t)w->row_count);
+}
+
 /* ------------------------------------------------------------------------------------------------------- the header */
 
 static tdsp_status writer_put_unit(unsigned char *p, const char *unit)
@@ -288,8 +369,8 @@ static void writer_put_counts(const writer *w, const writer_layout *layout, unsi
 {
     memcpy(bytes, FORMAT_MAGIC, FORMAT_MAGIC_LENGTH);
     bytes_put_u16(bytes + FORMAT_AT_MAJOR, FORMAT_MAJOR);
-    bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR);
-    bytes_put_u32(bytes + FORMAT_AT_HEADER_LENGTH, FORMAT_HEADER_LENGTH);
+    bytes_put_u16(bytes + FORMAT_AT_MINOR, layout->header == FORMAT_HEADER_LENGTH ? 0 : FORMAT_MINOR);
+    bytes_put_u32(bytes + FORMAT_AT_HEADER_LENGTH, (uint32_t)layout->header);
     bytes_put_u64(bytes + FORMAT_AT_LENGTH, layout->length);
     bytes_put_f64(bytes + FORMAT_AT_FIRST_DEPARTURE, w->rows[0].departure);
     bytes_put_f64(bytes + FORMAT_AT_LAST_DEPARTURE, w->rows[w->row_count - 1].departure);
@@ -298,17 +379,26 @@ static void writer_put_counts(const writer *w, const writer_layout *layout, unsi
     bytes_put_u64(bytes + FORMAT_AT_WAYPOINTS, layout->waypoints);
     bytes_put_u64(bytes + FORMAT_AT_ARCS, w->arc_count);
     bytes_put_u64(bytes + FORMAT_AT_OPAQUE_LENGTH, w->byte_count);
-    for (size_t i = 0; i < FORMAT_SECTIONS; i++)
-        bytes_put_u64(bytes + FORMAT_AT_OFFSETS + 8 * i, layout->offsets[i]);
+    for (size_t i = 0; i < FORMAT_SECTIONS; i++) bytes_put_u64(bytes + FORMAT_AT_OFFSETS + 8 * i, layout->offsets[i]);
     bytes_put_u32(bytes + FORMAT_AT_JOINT, w->joint);
 }
 
-/* The header's checksum covers the body's, so the body's is first. */
-static void writer_seal(unsigned char *bytes, size_t length)
+static void writer_put_guide_places(const writer_layout *layout, unsigned char *bytes)
 {
-    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes + FORMAT_HEADER_LENGTH, length - FORMAT_HEADER_LENGTH));
+    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1 && layout->header > FORMAT_HEADER_LENGTH; i++) {
+        const writer_guide *guide = &layout->guides[i - FORMAT_SECTIONS];
+        bytes_put_u64(bytes + format_at_offset(i), layout->offsets[i]);
+        bytes_put_u64(bytes + format_at_offset(i) + FORMAT_GUIDE_AT_CELLS, guide->cells);
+        bytes_put_f64(bytes + format_at_offset(i) + FORMAT_GUIDE_AT_SCALE, guide->cells > 0 ? guide->scale : 0);
+    }
+}
+
+/* The header's checksum covers the body's, so the body's is first. */
+static void writer_seal(unsigned char *bytes, size_t header, size_t length)
+{
+    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes + header, length - header));
     uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, FORMAT_HEADER_LENGTH - FORMAT_AFTER_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, header - FORMAT_AFTER_HEADER_CRC);
     bytes_put_u32(bytes + FORMAT_AT_HEADER_CRC, crc);
 }
 
@@ -322,7 +412,9 @@ static tdsp_status writer_fill(const writer *w, const writer_header *header, con
     if (status != TDSP_OK) return status;
     writer_put_rows(w, layout, bytes);
     writer_put_paths(w, layout, bytes);
-    writer_seal(bytes, (size_t)layout->length);
+    writer_put_guide_places(layout, bytes);
+    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1; i++) writer_put_guide(w, layout, i, bytes);
+    writer_seal(bytes, (size_t)layout->header, (size_t)layout->length);
     return tdsp_table_open(&check, bytes, (size_t)layout->length);
 }
 

@@ -20,23 +20,14 @@
 #include <math.h>
 
 #include "base/round.h"
+#include "query/outward.h"
 #include "query/search.h"
 #include "tdsp/table.h"
 
-/* The two predicates, each on the rounded sum and on the real one. An infinite right says that nothing leaves after the row. */
-static int departure_is_well_safe(const tdsp_table *table, uint64_t row, double arrival)
-{
-    return table_departure(table, row) + table_left(table, row) < arrival;
-}
-
+/* The two predicates. An infinite right says that nothing leaves after the row. */
 static int departure_is_safe(const tdsp_table *table, uint64_t row, double arrival)
 {
     return round_sum_at_most(table_departure(table, row), table_left(table, row), arrival);
-}
-
-static int departure_may_well_follow(const tdsp_table *table, uint64_t row, double arrival)
-{
-    return table_departure(table, row) + table_right(table, row) < arrival;
 }
 
 static int departure_may_follow(const tdsp_table *table, uint64_t row, double arrival)
@@ -46,14 +37,94 @@ static int departure_may_follow(const tdsp_table *table, uint64_t row, double ar
 }
 
 /*
- * A rounded sum below a says that the real one is, and one over a that the real one is over a. So the rounded sums, at one
- * addition and one comparison a step, decide unless the row they end at is a tie; only then the real ones are searched.
+ * Sums rounded to nearest, at one addition and one comparison a row, decide unless the row they end at is a tie: one below a says
+ * that the real sum is, and one over a that the real one is over a.
  */
-static uint64_t departure_count(const tdsp_table *table, double arrival, query_before *well, query_before *exactly)
+static uint64_t departure_halving(const tdsp_table *table, uint64_t first, uint64_t end, double arrival)
 {
-    uint64_t count = query_count(table, arrival, well);
-    if (count == table->rows || !exactly(table, count, arrival)) return count;
-    return query_count(table, arrival, exactly);
+    uint64_t count = end - first;
+    while (count > 0) {
+        uint64_t half = (count + 1) / 2;
+        uint64_t before = guide_arrival(table, first + half - 1) < arrival;
+        first += half & (0 - before);
+        count -= half;
+    }
+    return first;
+}
+
+#define DEPARTURE_STEPS 8
+
+/* From the start of the cell: a few rows one by one, the rest halved. */
+static uint64_t departure_in_cell(const tdsp_table *table, uint64_t cell, double arrival)
+{
+    uint64_t start = guide_start(&table->by_arrival, cell);
+    uint64_t end = guide_end(&table->by_arrival, cell);
+    if (end > table->rows) end = table->rows;
+    uint64_t near = end > DEPARTURE_STEPS && start < end - DEPARTURE_STEPS ? start + DEPARTURE_STEPS : end;
+    for (uint64_t row = start; row < near; row++) {
+        if (guide_arrival(table, row) >= arrival) return row;
+    }
+    return near < end ? departure_halving(table, near, end, arrival) : end;
+}
+
+/* How many rows have a rounded arrival below a. */
+static uint64_t departure_count_rounded(const tdsp_table *table, double arrival)
+{
+    const tdsp_guide *guide = &table->by_arrival;
+    if (!guide->bases) return departure_halving(table, 0, table->rows, arrival);
+    if (!(arrival >= guide->first)) return 0;
+    if (!(arrival <= guide->last)) return table->rows;
+    return departure_in_cell(table, guide_cell(guide->first, guide->scale, arrival), arrival);
+}
+
+/* The first row in [first, end] that is not safe; the rows before `first` are. */
+static uint64_t departure_count_ties(const tdsp_table *table, uint64_t first, double arrival)
+{
+    uint64_t end = table->rows;
+    while (first < end) {
+        uint64_t middle = first + (end - first) / 2;
+        if (departure_is_safe(table, middle, arrival))
+            first = middle + 1;
+        else
+            end = middle;
+    }
+    return first;
+}
+
+static uint64_t departure_count_safe(const tdsp_table *table, double arrival)
+{
+    uint64_t count = departure_count_rounded(table, arrival);
+    if (count == table->rows || !departure_is_safe(table, count, arrival)) return count;
+    return departure_count_ties(table, count + 1, arrival);
+}
+
+/*
+ * The row after the last that may be followed, starting from the first that is not safe: mostly that one or the one before it, so the
+ * steps double from there.
+ */
+static uint64_t departure_count_open(const tdsp_table *table, uint64_t safe, double arrival)
+{
+    uint64_t step = 1, low = safe, high = safe;
+    while (low > 0 && !departure_may_follow(table, low - 1, arrival)) {
+        high = low - 1;
+        low = low > step ? low - step : 0;
+        step *= 2;
+    }
+    if (high == safe) {
+        while (high < table->rows && departure_may_follow(table, high, arrival)) {
+            low = high + 1;
+            high = table->rows - high > step ? high + step : table->rows;
+            step *= 2;
+        }
+    }
+    while (low < high) {
+        uint64_t middle = low + (high - low) / 2;
+        if (departure_may_follow(table, middle, arrival))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
 }
 
 /* The largest t that is safe, given that the rows before `safe` are and that there is one. */
@@ -61,16 +132,16 @@ static double departure_lower(const tdsp_table *table, uint64_t safe, double arr
 {
     double departure = table_departure(table, safe - 1);
     if (safe == table->rows || table->monotone != TDSP_MONOTONE_TRAVEL) return departure;
-    double later = round_subtract_down(arrival, table_left(table, safe));
+    double later = outward_subtract_down(arrival, table_left(table, safe));
     return later > departure ? later : departure;
 }
 
-static double departure_upper(const tdsp_table *table, double arrival)
+static double departure_upper(const tdsp_table *table, uint64_t safe, double arrival)
 {
-    uint64_t open = departure_count(table, arrival, departure_may_well_follow, departure_may_follow);
+    uint64_t open = departure_count_open(table, safe, arrival);
     if (open == 0) return 0;
     int travel = table->monotone == TDSP_MONOTONE_TRAVEL;
-    double solved = travel ? round_subtract_up(arrival, table_right(table, open - 1)) : arrival;
+    double solved = travel ? outward_subtract_up(arrival, table_right(table, open - 1)) : arrival;
     if (open == table->rows) return solved;
     double next = table_departure(table, open);
     return next < solved ? next : solved;
@@ -79,24 +150,9 @@ static double departure_upper(const tdsp_table *table, double arrival)
 tdsp_status tdsp_table_departure(const tdsp_table *table, double arrival, double *departure, double *upper)
 {
     if (!table || !table->bytes || isnan(arrival)) return TDSP_INVALID_ARGUMENT;
-    uint64_t safe = departure_count(table, arrival, departure_is_well_safe, departure_is_safe);
+    uint64_t safe = departure_count_safe(table, arrival);
     if (safe == 0) return TDSP_ARRIVAL_TOO_EARLY;
     if (departure) *departure = departure_lower(table, safe, arrival);
-    if (upper) *upper = departure_upper(table, arrival);
-    return TDSP_OK;
-}
-
-tdsp_status tdsp_table_departures(const tdsp_table *table, const double *arrivals, size_t count, double *departures,
-                                  double *departures_upper, tdsp_status *statuses)
-{
-    if (!table || !table->bytes || !arrivals) return TDSP_INVALID_ARGUMENT;
-    for (size_t i = 0; i < count; i++) {
-        double low = -INFINITY;
-        double high = -INFINITY;
-        tdsp_status status = tdsp_table_departure(table, arrivals[i], &low, &high);
-        if (departures) departures[i] = low;
-        if (departures_upper) departures_upper[i] = high;
-        if (statuses) statuses[i] = status;
-    }
+    if (upper) *upper = departure_upper(table, safe, arrival);
     return TDSP_OK;
 }

@@ -32,7 +32,7 @@ static int jump_asked(const tdsp_table *table, double departure, const tdsp_jump
 tdsp_status tdsp_table_next_jump(const tdsp_table *table, double departure, tdsp_jump *out)
 {
     if (!jump_asked(table, departure, out)) return TDSP_INVALID_ARGUMENT;
-    for (uint64_t row = query_row(table, departure); row < table->rows; row++) {
+    for (uint64_t row = search_first_row(table, departure); row < table->rows; row++) {
         if (jump_at(table, row, out)) return TDSP_OK;
     }
     return TDSP_NO_ANSWER;
@@ -41,7 +41,7 @@ tdsp_status tdsp_table_next_jump(const tdsp_table *table, double departure, tdsp
 tdsp_status tdsp_table_previous_jump(const tdsp_table *table, double departure, tdsp_jump *out)
 {
     if (!jump_asked(table, departure, out)) return TDSP_INVALID_ARGUMENT;
-    for (uint64_t row = query_row(table, departure); row > 0; row--) {
+    for (uint64_t row = search_first_row(table, departure); row > 0; row--) {
         if (jump_at(table, row - 1, out)) return TDSP_OK;
     }
     return TDSP_NO_ANSWER;

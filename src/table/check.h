@@ -9,5 +9,6 @@ int check_header(const tdsp_table *table);
 int check_rows(const tdsp_table *table);
 int check_paths(const tdsp_table *table);
 int check_opaque(const tdsp_table *table);
+int check_guides(const tdsp_table *table);
 
 #endif

@@ -7,11 +7,14 @@
 #ifndef TABLE_FORMAT_H
 #define TABLE_FORMAT_H
 
+#include <stddef.h>
+
 #define FORMAT_MAGIC "\x89TDSP\r\n\x1a" /* 8 bytes; shows a transfer as text, and is no text itself */
 #define FORMAT_MAGIC_LENGTH 8
 #define FORMAT_MAJOR 1
-#define FORMAT_MINOR 0
-#define FORMAT_HEADER_LENGTH 296 /* of version 1.0; later minor versions may have more */
+#define FORMAT_MINOR 1             /* 1.0 has no guides; a table without any is written as 1.0 */
+#define FORMAT_HEADER_LENGTH 296   /* of version 1.0 */
+#define FORMAT_HEADER_LENGTH_1 344 /* of version 1.1; later minor versions may have more */
 
 /* Places in the header. */
 #define FORMAT_AT_MAJOR 8          /* u16 */
@@ -48,7 +51,13 @@
 #define FORMAT_AT_JOINT 288    /* u32 */
 #define FORMAT_AT_RESERVED 292 /* u32, 0 */
 
-/* The sections, in order. */
+/* From version 1.1 on: for each guide its offset, its number of cells (u64) and its scale (f64). */
+#define FORMAT_AT_GUIDES 296
+#define FORMAT_GUIDE_SIZE 24
+#define FORMAT_GUIDE_AT_CELLS 8
+#define FORMAT_GUIDE_AT_SCALE 16
+
+/* The sections, in order; the last two from version 1.1 on. */
 enum {
     FORMAT_DEPARTURES,
     FORMAT_LEFT,
@@ -58,7 +67,10 @@ enum {
     FORMAT_ARCS,
     FORMAT_FIRST_BYTE,
     FORMAT_OPAQUE,
-    FORMAT_SECTIONS
+    FORMAT_SECTIONS, /* of version 1.0 */
+    FORMAT_BY_DEPARTURE = FORMAT_SECTIONS,
+    FORMAT_BY_ARRIVAL,
+    FORMAT_SECTIONS_1
 };
 
 /* A waypoint: a moment and a place on a path, and how the path goes on from there. */
@@ -79,5 +91,17 @@ enum {
 #define FORMAT_ARC_AT_TURNED 40      /* f64, turn times sweep */
 
 #define FORMAT_MAX_ROW_BYTES 0x7fffffffu
+
+/* A guide: a u32 for each block of cells and one more, then a byte for each cell. */
+#define FORMAT_GUIDE_BLOCK 64u
+#define FORMAT_GUIDE_FULL 255u       /* the greatest byte: that many, or more */
+#define FORMAT_GUIDE_MAX 0xffffffffu /* rows, and cells */
+
+/* Where the header says at which offset a section starts. */
+static inline size_t format_at_offset(size_t section)
+{
+    return section < FORMAT_SECTIONS ? FORMAT_AT_OFFSETS + 8 * section
+                                     : FORMAT_AT_GUIDES + FORMAT_GUIDE_SIZE * (section - FORMAT_SECTIONS);
+}
 
 #endif

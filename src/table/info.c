@@ -1,7 +1,5 @@
 /* The header, as the caller sees it. */
-#include "base/bytes.h"
-#include "table/format.h"
-#include "table/read.h"
+#include "table/guide.h"
 
 static tdsp_point info_point(const tdsp_table *table, size_t at)
 {
@@ -40,5 +38,6 @@ tdsp_status tdsp_table_get_info(const tdsp_table *table, tdsp_table_info *out)
     out->last_reason = table_last_reason(table);
     info_unit(table, FORMAT_AT_LENGTH_UNIT, out->length_unit);
     info_unit(table, FORMAT_AT_TIME_UNIT, out->time_unit);
+    out->guide_length = guide_size(table->by_departure.cells) + guide_size(table->by_arrival.cells);
     return TDSP_OK;
 }

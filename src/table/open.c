@@ -1,14 +1,26 @@
 /*
  * Opening a table: everything is checked once, from the outside in, so that each check may rely on the ones before.
  *
- *   magic, major version, lengths -> checksums -> sections inside the bytes -> header values -> rows -> paths, opaque bytes
+ *   magic, major version, lengths -> checksums -> sections inside the bytes -> header values -> rows -> paths, opaque bytes -> guides
  */
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "base/sizes.h"
 #include "table/check.h"
-#include "table/format.h"
+#include "table/guide.h"
 #include "tdsp/table.h"
+
+/* The version as far as it matters here: 0 without guides, 1 with the header's part about them; more may have what is unknown here. */
+static unsigned open_minor(const unsigned char *bytes)
+{
+    return bytes_get_u16(bytes + FORMAT_AT_MINOR);
+}
+
+static int open_header_length_is_good(unsigned minor, uint32_t length)
+{
+    if (minor == 0) return length == FORMAT_HEADER_LENGTH;
+    return minor == FORMAT_MINOR ? length == FORMAT_HEADER_LENGTH_1 : length >= FORMAT_HEADER_LENGTH_1;
+}
 
 static tdsp_status open_lengths(const unsigned char *bytes, size_t length)
 {
@@ -17,8 +29,7 @@ static tdsp_status open_lengths(const unsigned char *bytes, size_t length)
     if (bytes_get_u16(bytes + FORMAT_AT_MAJOR) != FORMAT_MAJOR) return TDSP_BAD_VERSION;
     if (length < FORMAT_HEADER_LENGTH || bytes_get_u64(bytes + FORMAT_AT_LENGTH) != length) return TDSP_BAD_LENGTH;
     uint32_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
-    int exact = bytes_get_u16(bytes + FORMAT_AT_MINOR) == FORMAT_MINOR;
-    if (exact ? header != FORMAT_HEADER_LENGTH : header < FORMAT_HEADER_LENGTH) return TDSP_BAD_TABLE;
+    if (!open_header_length_is_good(open_minor(bytes), header)) return TDSP_BAD_TABLE;
     return header % 8 == 0 && header <= length ? TDSP_OK : TDSP_BAD_TABLE;
 }
 
@@ -33,7 +44,7 @@ static tdsp_status open_checksums(const unsigned char *bytes, size_t length)
 }
 
 /* Sizes of the sections; the optional ones are empty when there is nothing to index. 0 on overflow. */
-static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS])
+static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_1])
 {
     uint64_t bounds;
     if (table->rows == 0 || !sizes_add(table->rows, 1, &bounds)) return 0;
@@ -44,6 +55,9 @@ static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS])
     if (!sizes_multiply(table->arc_count, FORMAT_ARC_SIZE, &sizes[FORMAT_ARCS])) return 0;
     if (!sizes_multiply(table->opaque_length > 0 ? bounds : 0, 8, &sizes[FORMAT_FIRST_BYTE])) return 0;
     sizes[FORMAT_OPAQUE] = table->opaque_length;
+    if (table->by_departure.cells > FORMAT_GUIDE_MAX || table->by_arrival.cells > FORMAT_GUIDE_MAX) return 0;
+    sizes[FORMAT_BY_DEPARTURE] = guide_size(table->by_departure.cells);
+    sizes[FORMAT_BY_ARRIVAL] = guide_size(table->by_arrival.cells);
     return 1;
 }
 
@@ -56,23 +70,36 @@ static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint6
 }
 
 /*
- * The sections one after the other, without gaps in version 1.0; a later minor version may put something between or behind
- * them. On success offsets holds where each starts, and all of them end inside the bytes.
+ * The sections one after the other, without gaps in the versions known here; a later minor version may put something between or
+ * behind them. On success offsets holds where each starts, and all of them end inside the bytes.
  */
-static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS])
+static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS_1])
 {
-    uint64_t sizes[FORMAT_SECTIONS];
+    uint64_t sizes[FORMAT_SECTIONS_1];
     uint64_t cursor = bytes_get_u32(table->bytes + FORMAT_AT_HEADER_LENGTH);
-    int exact = bytes_get_u16(table->bytes + FORMAT_AT_MINOR) == FORMAT_MINOR;
+    unsigned minor = open_minor(table->bytes);
+    int exact = minor <= FORMAT_MINOR;
+    size_t sections = minor == 0 ? FORMAT_SECTIONS : FORMAT_SECTIONS_1;
     if (!open_sizes(table, sizes)) return 0;
-    for (size_t i = 0; i < FORMAT_SECTIONS; i++) {
+    for (size_t i = 0; i < sections; i++) {
         uint64_t end;
-        offsets[i] = bytes_get_u64(table->bytes + FORMAT_AT_OFFSETS + 8 * i);
+        offsets[i] = bytes_get_u64(table->bytes + format_at_offset(i));
         if (exact ? offsets[i] != cursor : offsets[i] < cursor || offsets[i] % 8 != 0) return 0;
         if (!sizes_add(offsets[i], sizes[i], &end) || !sizes_align8(end, &cursor) || cursor > table->length) return 0;
         if (!open_padding_is_zero(table->bytes, end, cursor)) return 0;
     }
     return !exact || cursor == table->length;
+}
+
+/* The times a guide spans are put in when the rows are known to be good. */
+static tdsp_guide open_guide(const unsigned char *bytes, size_t section)
+{
+    tdsp_guide guide = {0};
+    if (open_minor(bytes) == 0) return guide;
+    const unsigned char *p = bytes + format_at_offset(section);
+    guide.cells = bytes_get_u64(p + FORMAT_GUIDE_AT_CELLS);
+    guide.scale = bytes_get_f64(p + FORMAT_GUIDE_AT_SCALE);
+    return guide;
 }
 
 static tdsp_table open_view(const unsigned char *bytes, size_t length)
@@ -86,10 +113,19 @@ static tdsp_table open_view(const unsigned char *bytes, size_t length)
     table.opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
     table.monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
     table.joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
+    table.by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
+    table.by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
     return table;
 }
 
-static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS])
+static void open_place_guide(tdsp_guide *guide, const unsigned char *section)
+{
+    if (guide->cells == 0) return;
+    guide->bases = section;
+    guide->counts = section + guide_bases_size(guide->cells);
+}
+
+static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS_1])
 {
     table->departures = offsets[FORMAT_DEPARTURES];
     table->left = offsets[FORMAT_LEFT];
@@ -99,6 +135,19 @@ static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS
     table->arcs = offsets[FORMAT_ARCS];
     table->first_byte = offsets[FORMAT_FIRST_BYTE];
     table->opaque = offsets[FORMAT_OPAQUE];
+    open_place_guide(&table->by_departure, table->bytes + offsets[FORMAT_BY_DEPARTURE]);
+    open_place_guide(&table->by_arrival, table->bytes + offsets[FORMAT_BY_ARRIVAL]);
+}
+
+/* The rows are good: departures rise from 0. (Should the first be -0 and the only one, its bits would not be 0.) */
+static void open_span(tdsp_table *table)
+{
+    uint64_t row = table->rows - 1;
+    double last = table_departure(table, row);
+    table->last = row > 0 ? table_departure_bits(table, row) : 0;
+    table->by_departure.last = last;
+    table->by_arrival.first = guide_arrival(table, 0);
+    table->by_arrival.last = guide_arrival(table, row);
 }
 
 tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
@@ -109,10 +158,12 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     if (status != TDSP_OK) return status;
 
     tdsp_table view = open_view(bytes, length);
-    uint64_t offsets[FORMAT_SECTIONS];
+    uint64_t offsets[FORMAT_SECTIONS_1] = {0};
     if (!open_sections(&view, offsets)) return TDSP_BAD_TABLE;
     open_place(&view, offsets);
     if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;
+    open_span(&view);
+    if (!check_guides(&view)) return TDSP_BAD_TABLE;
     *table = view;
     return TDSP_OK;
 }

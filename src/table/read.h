@@ -18,6 +18,12 @@ static inline double table_departure(const tdsp_table *table, uint64_t row)
     return bytes_get_f64(table->bytes + table->departures + 8 * row);
 }
 
+/* The bits of doubles that are not negative are in the order of the doubles, and whole numbers compare faster. */
+static inline uint64_t table_departure_bits(const tdsp_table *table, uint64_t row)
+{
+    return bytes_get_u64(table->bytes + table->departures + 8 * row);
+}
+
 static inline double table_left(const tdsp_table *table, uint64_t row)
 {
     return bytes_get_f64(table->bytes + table->left + 8 * row);

@@ -7,6 +7,7 @@ Exact arithmetic (fractions) stands in for the rounded sums of the C reader. Inf
 bytes as hexadecimal text. Exit status 1 with one line on standard error when the file is no valid table.
 """
 import argparse
+import bisect
 import json
 import math
 import struct
@@ -20,6 +21,7 @@ GUARANTEE = {0: "travel", 1: "arrival", 2: "absolute"}
 SAMPLING = {0: "adaptive", 1: "geometric"}
 REASON = {1: "source_covered", 2: "destination_covered", 3: "cut_off", 5: "horizon", 6: "outside_table", 7: "unreachable"}
 SECTIONS = ["departures", "left", "right", "first_waypoint", "waypoints", "arcs", "first_byte", "opaque"]
+GUIDES = ["guide to departures", "guide to arrivals"]
 
 
 class Bad(Exception):
@@ -77,6 +79,8 @@ class Table:
         self.read_arcs()
         self.read_paths()
         self.read_opaque()
+        self.check_guide(GUIDES[0], self.departures)
+        self.check_guide(GUIDES[1], [b + left for b, left in zip(self.departures, self.left)])
 
     def at(self, form, offset):
         return struct.unpack_from("<" + form, self.data, offset)
@@ -96,7 +100,7 @@ class Table:
         need(len(self.data) >= 296 and self.u64(16) == len(self.data), "length")
         self.minor = self.at("H", 10)[0]
         self.header = self.u32(12)
-        need(self.header == 296 or (self.minor > 0 and self.header > 296), "header length")
+        need(self.header == {0: 296, 1: 344}.get(self.minor, max(344, self.header)), "header length")
         need(self.header % 8 == 0 and self.header <= len(self.data), "header length")
         need(crc32c(self.data[:28], self.data[32:self.header]) == self.u32(28), "header checksum")
         need(crc32c(self.data[self.header:]) == self.u32(24), "body checksum")
@@ -129,23 +133,29 @@ class Table:
         self.time_unit = self.text(168)
         self.rows, self.legs, self.waypoints, self.arc_count, self.opaque_length = self.at("5Q", 184)
         self.joint = self.u32(288)
+        self.cells = {name: self.u64(304 + 24 * i) if self.minor else 0 for i, name in enumerate(GUIDES)}
+        self.scale = {name: self.f64(312 + 24 * i) if self.minor else 0 for i, name in enumerate(GUIDES)}
 
     def place_sections(self):
         bounds = self.rows + 1
         sizes = [8 * self.rows] * 3
         sizes += [4 * bounds if self.waypoints else 0, 32 * self.waypoints, 48 * self.arc_count]
         sizes += [8 * bounds if self.opaque_length else 0, self.opaque_length]
+        places = [224 + 8 * i for i in range(len(SECTIONS))]
+        if self.minor > 0:
+            sizes += [4 * (-(-self.cells[name] // 64) + 1) + self.cells[name] if self.cells[name] else 0 for name in GUIDES]
+            places += [296, 320]
         need(self.rows > 0, "rows")
         self.sections = {}
         cursor = self.header
-        for number, (section, size) in enumerate(zip(SECTIONS, sizes)):
-            offset = self.u64(224 + 8 * number)
-            need(offset == cursor or (self.minor > 0 and offset > cursor and offset % 8 == 0), "offset of " + section)
+        for section, size, place in zip(SECTIONS + GUIDES, sizes, places):
+            offset = self.u64(place)
+            need(offset == cursor or (self.minor > 1 and offset > cursor and offset % 8 == 0), "offset of " + section)
             cursor = (offset + size + 7) // 8 * 8
             need(cursor <= len(self.data), "end of " + section)
             need(not any(self.data[offset + size:cursor]), "padding of " + section)
             self.sections[section] = (offset, size)
-        need(cursor == len(self.data) or self.minor > 0, "end of file")
+        need(cursor == len(self.data) or self.minor > 1, "end of file")
 
     def check_header(self):
         bound, other = (self.delta, self.epsilon) if self.guarantee == "absolute" else (self.epsilon, self.delta)
@@ -232,6 +242,23 @@ class Table:
         self.opaque = [self.data[offset + a:offset + b] for a, b in zip(first, first[1:])]
         need(all(len(part) < 2**31 for part in self.opaque), "opaque bytes")
 
+    def check_guide(self, name, times):
+        """The stored guide against one made anew; floats here round as the format says."""
+        cells, scale = self.cells[name], self.scale[name]
+        if cells == 0:
+            return need(scale == 0, name)
+        need(0 < scale < math.inf and self.rows < 2**32 and (times[-1] - times[0]) * scale < 2**32 - 1, name)
+        need(name != GUIDES[0] or math.copysign(1, times[0]) > 0, name)
+        need(all(x <= y for x, y in zip(times, times[1:])), name)
+        cell = [int((x - times[0]) * scale) for x in times]
+        need(cell[-1] + 1 == cells, name)
+        start = [bisect.bisect_left(cell, k) for k in range(cells)]
+        base = start[::64]
+        offset = self.sections[name][0]
+        need(list(self.at("%dI" % (len(base) + 1), offset)) == base + [self.rows], name)
+        counts = bytes(min(255, row - base[k // 64]) for k, row in enumerate(start))
+        need(self.data[offset + 4 * len(base) + 4:][:cells] == counts, name)
+
     def arrive(self, t):
         """(row, lower, upper) for a departure, or None after the last."""
         row = next((i for i, b in enumerate(self.departures) if b >= t), None)
@@ -273,7 +300,7 @@ class Table:
                 "speed": self.speed, "source": list(self.source), "destination": list(self.destination),
                 "first_departure": self.first_departure, "first_lower": self.first_lower, "last_departure": self.last_departure,
                 "length_unit": self.length_unit, "time_unit": self.time_unit, "leg_count": self.legs, "joint": self.joint,
-                "rows": rows}
+                "rows": rows, **({"cells": list(self.cells.values())} if self.minor else {})}
 
 
 def finite(x):

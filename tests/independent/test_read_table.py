@@ -16,8 +16,9 @@ GOLDEN = sorted((HERE / "golden").glob("*.tdsp"))
 def seal(data):
     """The bytes with both checksums made right."""
     data = bytearray(data)
-    struct.pack_into("<I", data, 24, crc32c(data[296:]))
-    struct.pack_into("<I", data, 28, crc32c(data[:28], data[32:296]))
+    header, = struct.unpack_from("<I", data, 12)
+    struct.pack_into("<I", data, 24, crc32c(data[header:]))
+    struct.pack_into("<I", data, 28, crc32c(data[:28], data[32:header]))
     return bytes(data)
 
 

@@ -39,6 +39,12 @@ static const writer_row loose_rows[] = {
 
 static const writer_row still_rows[] = {{0, 0, 0, NULL, 0, NULL, 0}};
 
+#define CROWD(t, left) {t, left, left, NULL, 0, NULL, 0}
+static const writer_row crowd_rows[] = {CROWD(0, 8),      CROWD(0.25, 8.5),  CROWD(0.5, 9),     CROWD(0.75, 9.5),
+                                        CROWD(1, 10),     CROWD(1.25, 10.5), CROWD(1.5, 11),    CROWD(1.75, 11.5),
+                                        CROWD(2, 12),     CROWD(2.25, 12.5), CROWD(2.5, 13),    CROWD(2.75, 13.5),
+                                        CROWD(3, 14),     CROWD(3.25, 14.5), CROWD(3.5, 15),    {64, 16, INFINITY, NULL, 0, NULL, 0}};
+
 const golden_table golden_tables[GOLDEN_COUNT] = {
     {"gap",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.25, 0, 1e-11, 20, 19.75, TDSP_CUT_OFF,
@@ -59,7 +65,12 @@ const golden_table golden_tables[GOLDEN_COUNT] = {
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.01, 0, 0, 0, 0, TDSP_OUTSIDE_TABLE,
       {0, 2.5, {1.5, -1.5}, {1.5, -1.5}, "km", "h"}},
      still_rows,
-     1}};
+     1},
+    {"crowd",
+     {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_ABSOLUTE, TDSP_SAMPLING_ADAPTIVE, 0, 4, 0, 0, 8, TDSP_DESTINATION_COVERED,
+      {12, 3, {0, 1}, {20, 1}, "m", "s"}},
+     crowd_rows,
+     16}};
 
 static writer *golden_fill_rows(const writer_row *rows, size_t count, const tdsp_allocator *allocator)
 {

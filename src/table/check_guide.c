@@ -1,0 +1,65 @@
+/*
+ * The guides, entry by entry: a wrong one would give wrong answers. What each cell's start must be is counted anew along the rows.
+ *
+ * That counts right when the times are in order. Departures are; arrivals of a table that is monotone in arrival may decrease by
+ * a rounding, and such a table must not have a guide for them.
+ */
+#include "table/check.h"
+#include "table/guide.h"
+
+typedef double check_key(const tdsp_table *table, uint64_t row);
+
+/* Cells are numbered by whole numbers that a double holds exactly, and the last time is in the last cell. */
+static int check_cells(const tdsp_table *table, const tdsp_guide *guide)
+{
+    double end = (guide->last - guide->first) * guide->scale;
+    return table->rows <= FORMAT_GUIDE_MAX && guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX &&
+           guide_cell(guide->first, guide->scale, guide->last) + 1 == guide->cells;
+}
+
+static inline int check_order(const tdsp_table *table, check_key *key)
+{
+    for (uint64_t row = 1; row < table->rows; row++) {
+        if (!(key(table, row - 1) <= key(table, row))) return 0;
+    }
+    return 1;
+}
+
+static inline uint64_t check_row_cell(const tdsp_table *table, const tdsp_guide *guide, check_key *key, uint64_t row)
+{
+    return guide_cell(guide->first, guide->scale, key(table, row));
+}
+
+/* The cells of the block from `cell` on; *start, a row at or before its first cell's start, becomes the last cell's start. */
+static inline int check_block(const tdsp_table *table, const tdsp_guide *guide, check_key *key, uint64_t cell, uint64_t *start)
+{
+    uint64_t end = cell + FORMAT_GUIDE_BLOCK < guide->cells ? cell + FORMAT_GUIDE_BLOCK : guide->cells;
+    uint64_t base = bytes_get_u32(guide_base_at(guide, cell));
+    uint64_t row_cell = check_row_cell(table, guide, key, *start);
+    for (uint64_t k = cell; k < end; k++) {
+        for (; row_cell < k; row_cell = check_row_cell(table, guide, key, *start)) ++*start;
+        if (k == cell && *start != base) return 0;
+        uint64_t count = *start - base;
+        if (guide->counts[k] != (count < FORMAT_GUIDE_FULL ? count : FORMAT_GUIDE_FULL)) return 0;
+    }
+    return 1;
+}
+
+/* The last row is in the last cell, so that no row after it is asked for. */
+static inline int check_guide(const tdsp_table *table, const tdsp_guide *guide, check_key *key)
+{
+    uint64_t start = 0;
+    if (guide->cells == 0) return guide->scale == 0;
+    if (!check_order(table, key) || !check_cells(table, guide)) return 0;
+    for (uint64_t cell = 0; cell < guide->cells; cell += FORMAT_GUIDE_BLOCK) {
+        if (!check_block(table, guide, key, cell, &start)) return 0;
+    }
+    return bytes_get_u32(guide_base_at(guide, guide->cells - 1) + 4) == table->rows;
+}
+
+/* Whole numbers compare as departures do only where the first is +0. */
+int check_guides(const tdsp_table *table)
+{
+    if (table->by_departure.cells > 0 && table_departure_bits(table, 0) != 0) return 0;
+    return check_guide(table, &table->by_departure, table_departure) && check_guide(table, &table->by_arrival, guide_arrival);
+}

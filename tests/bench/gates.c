@@ -82,6 +82,18 @@ static void forward(const char *name, tdsp_scene *scene, tdsp_status answer)
     tdsp_scene_free(scene);
 }
 
+static void within(const char *name, tdsp_scene *scene)
+{
+    double arrival, lower = 0.0;
+    COUNT;
+    tdsp_solver *solver = solver_for(scene);
+    tdsp_status status = tdsp_earliest_arrival_within(solver, 0.0, 0.01, &arrival, &lower);
+    tdsp_solver_free(solver);
+    COUNTED(name);
+    expect(status == TDSP_OK && arrival <= 1.01 * lower, name, tdsp_status_name(status));
+    tdsp_scene_free(scene);
+}
+
 /* What comes after the first question, at departures a hundredth of the journey apart. */
 static void neighbours(const char *name, tdsp_scene *scene)
 {
@@ -238,7 +250,8 @@ int main(int argc, char **argv)
     forward("forward-wall", made_scene("wall", 100, FALSE), TDSP_OK);
     forward("forward-near", made_scene("mixed", 10000, TRUE), TDSP_OK);
     forward("forward-fire", example_scene(argv[1], "fire-oregon-c.json"), TDSP_OK);
-    forward("no-path", made_scene("sealed", 200, FALSE), TDSP_CUT_OFF);
+    within("within", made_scene("random", 3000, FALSE));
+    forward("no-path", made_scene("sealed", 1000, FALSE), TDSP_CUT_OFF);
     neighbours("neighbours", made_scene("mixed", 300, FALSE));
     reverse("reverse", made_scene("mixed", 200, FALSE));
     prepare("prepare", 10000);

@@ -22,8 +22,8 @@ def too_long(rows):
 
 
 def measure_series(run, kind, span):
-    """A series ends with the first point at which a forward question takes too long; what asks more ends before."""
-    found, operations = [], ["forward", "neighbour", "reverse"]
+    """An operation ends with the first point at which it takes too long."""
+    found, operations = [], ["forward", "within", "neighbour", "reverse"]
     sizes = SIZES[:3] if run.short else SIZES
     for size in sizes if span == "far" else [n for n in sizes if n >= NEAR_LEAST]:
         point = []
@@ -37,7 +37,9 @@ def measure_series(run, kind, span):
         found += point
         slow = too_long(point)
         operations = [name for name in operations if name not in slow]
-        if "forward" not in operations:
+        if "forward" not in operations: # the neighbour and the arrival to ask backwards for come from it
+            operations = [name for name in operations if name == "within"]
+        if not operations:
             break
     return found
 

@@ -8,6 +8,7 @@
  *     prepare     a scene from its array of discs
  *     workspace   a solver for the prepared scene
  *     forward     the first question to a new solver: the earliest arrival for departure 0, or that there is none
+ *     within      the first question to a new solver: an arrival for departure 0 that is certified to be within 1 %
  *     neighbour   the earliest arrival for a departure that is a hundredth of the journey after the one asked before
  *     reverse     the first question to a new solver: the latest departure for an arrival
  *
@@ -24,6 +25,7 @@
 #include "tdsp/scene_file.h"
 #include "tdsp/solver.h"
 
+#define WITHIN 0.01        /* share of the lower bound by which an arrival may be too late */
 #define STEPS 8            /* neighbouring departures in a walk */
 #define STEP_SHARE 0.01    /* of the journey, from one to the next */
 #define SMALLEST_STEP 1e-6 /* of the journey; where departures end even before that, there is no neighbour to ask */
@@ -89,6 +91,14 @@ static int ask_forward(void *ctx)
 {
     Bench *bench = ctx;
     bench->status = tdsp_earliest_arrival(bench->solver, 0.0, &bench->answer);
+    return tdsp_status_is_answer(bench->status);
+}
+
+static int ask_within(void *ctx)
+{
+    Bench *bench = ctx;
+    double lower;
+    bench->status = tdsp_earliest_arrival_within(bench->solver, 0.0, WITHIN, &bench->answer, &lower);
     return tdsp_status_is_answer(bench->status);
 }
 
@@ -196,6 +206,7 @@ static int wanted(const Bench *bench, const char *operation)
 static int measure(Bench *bench)
 {
     if (!measure_scene(bench)) return 0;
+    if (wanted(bench, "within") && !measure_cold(bench, "within", ask_within)) return 0;
     if (!wanted(bench, "forward")) return 1;
     if (!measure_cold(bench, "forward", ask_forward)) return 0;
     if (bench->status != TDSP_OK || bench->answer <= 0.0) return 1; /* no path, or nowhere to go */

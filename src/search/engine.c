@@ -159,8 +159,7 @@ static tdsp_status expand(void *ctx, const tdsp_label *label, tdsp_search *open,
 {
     disc_engine *self = ctx;
     (void)open;
-    const engine_question *question = &self->question;
-    if (question->patience && self->chunks > question->patience) {
+    if (self->patience && self->chunks > self->patience) {
         self->gave_up = 1;
         *done = 1;
         return TDSP_OK;
@@ -203,8 +202,12 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
     engine->view.index = &set->index;
     engine->view.sign = question->direction;
     engine->view.discs = question->direction == ENGINE_FORWARD ? set->forward : set->reverse;
+    int is_part = set != &engine->scene->all;
+    engine->patience = is_part && !question->patience ? ENGINE_PART_PATIENCE : question->patience;
+    ++engine->runs;
     tdsp_status status = engine_set_around(engine, set);
-    return status == TDSP_OK ? tdsp_search_run(engine->open, &problem, &start, 1, NULL) : status;
+    if (status == TDSP_OK) status = tdsp_search_run(engine->open, &problem, &start, 1, NULL);
+    return status == TDSP_OK && is_part && !question->patience && engine->gave_up ? TDSP_NO_ANSWER : status;
 }
 
 /* Scenes of fewer discs are searched before a scout would be back. */

@@ -124,6 +124,14 @@ static tdsp_status ring_take(neighbourhood *self, const tdsp_allocator *allocato
     return TDSP_OK;
 }
 
+/* Are the gaps of all discs below the node certainly at most `radius`? */
+static int node_within(const index_node *node, tdsp_point center, double radius)
+{
+    double spare = radius - node->half;
+    tdsp_point offset = point_sub(node->middle, center);
+    return spare > 0.0 && point_dot(offset, offset) < spare * spare * (1.0 - 1e-12);
+}
+
 /* Everything between `inner` and the ring's radius. */
 static tdsp_status ring_fill(neighbourhood *self, const tdsp_allocator *allocator, const neighbour_rings *rings, neighbour_ring *ring, double inner)
 {
@@ -132,7 +140,7 @@ static tdsp_status ring_fill(neighbourhood *self, const tdsp_allocator *allocato
     tdsp_status status = TDSP_OK;
     for (int top = 0; status == TDSP_OK;) {
         const index_node *node = &nodes[at];
-        int met = index_node_distance(node, rings->center) <= ring->radius;
+        int met = index_node_distance(node, rings->center) <= ring->radius && !node_within(node, rings->center, inner);
         if (met && !node->count) {
             later[top++] = node->right;
             ++at;

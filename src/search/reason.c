@@ -65,10 +65,13 @@ static tdsp_status open_at_last_moment(const tdsp_scene *scene, int *open)
 
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
-    int open;
-    *reason = TDSP_CUT_OFF;
-    if (solver->is_enclosed) return TDSP_OK;
-    tdsp_status status = open_at_last_moment(solver->scene, &open);
+    int open, enclosed;
+    tdsp_status status = enclosure_test(&solver->enclosure, &solver->engine, departure / solver->scene->time, &enclosed);
+    if (status != TDSP_OK || enclosed) {
+        *reason = TDSP_CUT_OFF;
+        return status;
+    }
+    status = open_at_last_moment(solver->scene, &open);
     if (status == TDSP_OK && !open) status = stopped_by_cover(solver, departure, &open);
     if (status == TDSP_OK) *reason = open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
     return status;

@@ -10,7 +10,8 @@
 #define LARGE_SHARE 8u
 #define ROUNDS 100
 
-/* ... or when so many chunks of rides have been followed. */
+/* ... or when the searches of one round have followed so many chunks of rides each, or those of all rounds so many. */
+#define ROUND_PATIENCE 36u
 #define PATIENCE 128u
 
 tdsp_status relax_create(relaxation *self, const tdsp_scene *scene)
@@ -82,17 +83,28 @@ static uint32_t relax_mend(relaxation *self, const disc_engine *engine)
     return self->member_count - before;
 }
 
+/* Is relaxation getting nowhere? */
+static int relax_is_weary(const disc_engine *engine, uint64_t chunks_before, uint64_t round_before, uint64_t runs_before)
+{
+    uint64_t in_round = engine->chunks_followed - round_before, runs = engine->runs - runs_before;
+    return in_round > ROUND_PATIENCE * runs || engine->chunks_followed - chunks_before > PATIENCE * runs;
+}
+
 tdsp_status relax_run(relaxation *self, disc_engine *engine, relax_question ask, void *ctx)
 {
     const disc_set *all = &self->scene->all;
+    uint64_t before = engine->chunks_followed;
+    int weary = 0;
     if (all->count <= SMALL) return ask(ctx, all);
     relax_clear(self);
-    uint64_t before = engine->chunks_followed;
-    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count && engine->chunks_followed - before < PATIENCE; ++round) {
+    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count && !weary; ++round) {
+        uint64_t round_before = engine->chunks_followed, runs_before = engine->runs;
         tdsp_status status = set_choose(&self->working, &self->scene->allocator, all, self->members, self->member_count);
         ++self->rounds;
         if (status == TDSP_OK) status = ask(ctx, &self->working);
+        if (status == TDSP_NO_ANSWER) break;
         if (status != TDSP_OK || engine->arrived == ENGINE_NONE || relax_mend(self, engine) == 0) return status;
+        weary = relax_is_weary(engine, before, round_before, runs_before);
     }
     return ask(ctx, all);
 }

@@ -1,9 +1,10 @@
 /*
  * Building the spatial index: its invariant is in index.h.
  *
- * First the order, from the top down, over keys of 16 bytes: each branch is halved where its widest coordinate has its middle. A branch
- * of b discs costs O(b), halving leaves few discs after few levels unless clusters are nested in clusters, and below DEPTH_BY_PLACE levels branches are halved by
- * number: O(n log n), no more than 64 n steps. Then the discs are moved. Last the boxes, from the bottom up.
+ * First the order, from the top down, over keys of 16 bytes: each branch is halved where its widest coordinate has its middle. That is one
+ * pass over the branch, makes branches that are wide in no direction, and leaves few discs after few levels unless clusters are nested
+ * in clusters. Below DEPTH_BY_PLACE levels branches are halved by number instead: O(n log n) expected for any scene. Then the discs
+ * are moved. Last the boxes, from the bottom up.
  */
 #include "scene/index.h"
 
@@ -11,7 +12,7 @@
 #include <string.h>
 
 /* Below this depth branches are halved by number: 31 more levels reach single discs. */
-#define DEPTH_BY_PLACE 64u
+#define DEPTH_BY_PLACE 40u
 
 /* Rates above this are not told apart: they are hopeless to outrun, and floats end somewhere. */
 #define FASTEST 1e6
@@ -89,11 +90,32 @@ static uint32_t cut_apply(index_key *keys, uint32_t count, key_cut cut)
     return below;
 }
 
+/* Hoare's selection: afterwards no key before the middle is larger, and none behind it smaller, than the one there. */
+static uint32_t keys_halve(index_key *keys, uint32_t count, int axis)
+{
+    int64_t first = 0, last = (int64_t)count - 1, middle = count / 2;
+    while (first < last) {
+        float pivot = keys[middle].place[axis];
+        int64_t i = first, j = last;
+        while (i <= j) {
+            while (keys[i].place[axis] < pivot) ++i;
+            while (keys[j].place[axis] > pivot) --j;
+            if (i > j) break;
+            index_key key = keys[i];
+            keys[i++] = keys[j];
+            keys[j--] = key;
+        }
+        if (j < middle) first = i;
+        if (i > middle) last = j;
+    }
+    return (uint32_t)middle;
+}
+
 static uint32_t keys_divide(index_key *keys, uint32_t count, uint32_t depth)
 {
     key_cut cut = cut_find(keys, count);
-    if (depth >= DEPTH_BY_PLACE || isnan(cut.middle)) return count / 2;
-    return cut_apply(keys, count, cut);
+    if (isnan(cut.middle)) return count / 2;
+    return depth < DEPTH_BY_PLACE ? cut_apply(keys, count, cut) : keys_halve(keys, count, cut.axis);
 }
 
 /* A range of keys that waits for its node. */

@@ -53,7 +53,7 @@ typedef struct index_items {
 
 /*
  * Build over the items, reordering them; an index built before is replaced and its memory used again. Equal items in equal
- * order give the same index everywhere. TDSP_OK or TDSP_NO_MEMORY. O(n log n) for anything but nests of clusters, at most 64 n steps.
+ * order give the same index everywhere. TDSP_OK or TDSP_NO_MEMORY. O(n log n) expected.
  */
 tdsp_status index_build(scene_index *index, const tdsp_allocator *allocator, index_items items);
 

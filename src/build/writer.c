@@ -155,7 +155,7 @@ tdsp_status writer_add(writer *w, const writer_row *row)
  * less. Tables of a few rows are searched as fast without (docs/decisions/0006).
  */
 #define WRITER_CELLS 8.0
-#define WRITER_CELLS_LARGE 2.0
+#define WRITER_CELLS_LARGE 1.0
 #define WRITER_CELLS_ARRIVAL 2.0
 #define WRITER_LARGE 131072u
 #define WRITER_GUIDE_MIN_ROWS 16u

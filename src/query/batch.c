@@ -2,12 +2,14 @@
  * Many look-ups at once.
  *
  * Look-ups in a table beyond the nearest caches wait for memory, each for its guide first and then for its row. So they go in groups: what
- * all of a group will read of the guide is asked for, then the rows that the guide names, and only then is each look-up done.
- * Tables that fit the nearest cache need none of this. The answers are those of the single functions.
+ * all of a group will read of the guide is asked for, then the rows that the guide names, and only then is each look-up done. A
+ * table that fits the nearest cache gains nothing from that. The answers are those of the single functions; these also answer what is not between the first row and the last.
  */
 #include <math.h>
 
-#include "table/guide.h"
+#include "query/arrival.h"
+#include "query/departure.h"
+#include "query/locate.h"
 
 #if defined(__GNUC__)
 #define BATCH_PREFETCH(p) __builtin_prefetch(p)
@@ -15,84 +17,143 @@
 #define BATCH_PREFETCH(p) ((void)(p))
 #endif
 
-#define BATCH_GROUP 32
-#define BATCH_NEAR_ROWS 2048
+#define BATCH_GROUP 16u
+#define BATCH_MIN_ROWS 2048u
 
-static size_t batch_group(size_t left)
+/* A group of times: for each its cell and where that starts. Of one that is in no cell it is BATCH_NONE. */
+typedef struct batch_group {
+    uint64_t cell[BATCH_GROUP];
+    uint64_t start[BATCH_GROUP];
+} batch_group;
+
+#define BATCH_NONE UINT64_MAX
+
+static inline void batch_find_cells(const tdsp_guide *guide, double above, const double *times, size_t count, batch_group *group)
+{
+    for (size_t i = 0; i < count; i++) {
+        int inside = times[i] >= guide->first && times[i] > above && times[i] <= guide->last;
+        group->cell[i] = inside ? guide_cell(guide->first, guide->scale, times[i]) : BATCH_NONE;
+        if (!inside) continue;
+        BATCH_PREFETCH(guide_base_at(guide, group->cell[i]));
+        BATCH_PREFETCH(guide->counts + group->cell[i]);
+    }
+}
+
+/* `travel`: the travel times will be wanted too. */
+static inline void batch_find_starts(const tdsp_table *table, const tdsp_guide *guide, int travel, size_t count,
+                                     batch_group *group)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (group->cell[i] == BATCH_NONE) continue;
+        uint64_t start = guide_start(guide, group->cell[i]);
+        uint64_t row = start < table->rows ? start : 0;
+        group->start[i] = start;
+        BATCH_PREFETCH(table->bytes + table->departures + 8 * row);
+        if (travel) BATCH_PREFETCH(table->bytes + table->left + 8 * row);
+        if (travel) BATCH_PREFETCH(table->bytes + table->right + 8 * row);
+    }
+}
+
+static int batch_pays(const tdsp_table *table, const tdsp_guide *guide)
+{
+    return guide->bases && table->rows >= BATCH_MIN_ROWS;
+}
+
+static size_t batch_size(size_t left)
 {
     return left < BATCH_GROUP ? left : BATCH_GROUP;
 }
 
-/* A time that is not in the table takes part as the first one. */
-static uint64_t batch_cell(const tdsp_guide *guide, double x)
+/* Departure 0 is answered by the header: only what is above it is in a cell. */
+static void batch_prepare_departures(const tdsp_table *table, int travel, const double *times, size_t count, batch_group *group)
 {
-    int inside = (x >= guide->first) & (x <= guide->last);
-    return guide_cell(guide->first, guide->scale, inside ? x : guide->first);
+    batch_find_cells(&table->by_departure, 0, times, count, group);
+    batch_find_starts(table, &table->by_departure, travel, count, group);
 }
 
-/* `travel`: with the row's travel times. */
-static void batch_prefetch(const tdsp_table *table, const tdsp_guide *guide, int travel, const double *times, size_t count)
+static void batch_prepare_arrivals(const tdsp_table *table, const double *times, size_t count, batch_group *group)
 {
-    uint64_t cells[BATCH_GROUP];
-    if (!guide->bases || table->rows < BATCH_NEAR_ROWS) return;
-    for (size_t i = 0; i < count; i++) {
-        cells[i] = batch_cell(guide, times[i]);
-        BATCH_PREFETCH(guide_base_at(guide, cells[i]));
-        BATCH_PREFETCH(guide->counts + cells[i]);
-    }
-    for (size_t i = 0; i < count; i++) {
-        uint64_t start = guide_start(guide, cells[i]);
-        uint64_t row = start < table->rows ? start : 0;
-        BATCH_PREFETCH(table->bytes + table->departures + 8 * row);
-        if (!travel) continue;
-        BATCH_PREFETCH(table->bytes + table->left + 8 * row);
-        BATCH_PREFETCH(table->bytes + table->right + 8 * row);
-    }
+    batch_find_cells(&table->by_arrival, -INFINITY, times, count, group);
+    batch_find_starts(table, &table->by_arrival, 1, count, group);
 }
 
-/* The single functions leave their outputs alone where there is no answer: then both stay as given here. */
-typedef tdsp_status batch_question(const tdsp_table *table, double time, double *low, double *high);
-
-static inline void batch_ask(const tdsp_table *table, const tdsp_guide *guide, batch_question *ask, double none,
-                             const double *times, size_t count, double *lows, double *highs, tdsp_status *statuses)
+/* The row of a departure inside; `group` is NULL where there are none. */
+static inline uint64_t batch_row(const tdsp_table *table, const batch_group *group, size_t at, double departure)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (i % BATCH_GROUP == 0) batch_prefetch(table, guide, 1, times + i, batch_group(count - i));
-        double low = none;
-        double high = none;
-        tdsp_status status = ask(table, times[i], &low, &high);
-        if (lows) lows[i] = low;
-        if (highs) highs[i] = high;
-        if (statuses) statuses[i] = status;
-    }
-}
-
-tdsp_status tdsp_table_arrivals(const tdsp_table *table, const double *departures, size_t count, double *lower, double *upper,
-                                tdsp_status *statuses)
-{
-    if (!table || !table->bytes || !departures) return TDSP_INVALID_ARGUMENT;
-    batch_ask(table, &table->by_departure, tdsp_table_arrival, INFINITY, departures, count, lower, upper, statuses);
-    return TDSP_OK;
-}
-
-tdsp_status tdsp_table_departures(const tdsp_table *table, const double *arrivals, size_t count, double *departures,
-                                  double *departures_upper, tdsp_status *statuses)
-{
-    if (!table || !table->bytes || !arrivals) return TDSP_INVALID_ARGUMENT;
-    batch_ask(table, &table->by_arrival, tdsp_table_departure, -INFINITY, arrivals, count, departures, departures_upper,
-              statuses);
-    return TDSP_OK;
+    return group ? locate_from(table, group->cell[at], group->start[at], departure) : locate_row(table, departure);
 }
 
 tdsp_status tdsp_table_rows(const tdsp_table *table, const double *departures, size_t count, uint64_t *rows,
                             tdsp_status *statuses)
 {
+    batch_group group;
     if (!table || !table->bytes || !departures) return TDSP_INVALID_ARGUMENT;
+    int grouped = batch_pays(table, &table->by_departure);
     for (size_t i = 0; i < count; i++) {
-        if (i % BATCH_GROUP == 0) batch_prefetch(table, &table->by_departure, 0, departures + i, batch_group(count - i));
+        size_t at = i % BATCH_GROUP;
+        if (grouped && at == 0) batch_prepare_departures(table, 0, departures + i, batch_size(count - i), &group);
         uint64_t row = table->rows;
-        tdsp_status status = tdsp_table_find(table, departures[i], &row);
+        tdsp_status status = TDSP_OK;
+        if (locate_is_inside(table, departures[i]))
+            row = batch_row(table, grouped ? &group : NULL, at, departures[i]);
+        else
+            status = tdsp_table_find(table, departures[i], &row);
         if (rows) rows[i] = row;
+        if (statuses) statuses[i] = status;
+    }
+    return TDSP_OK;
+}
+
+static inline tdsp_status batch_arrival(const tdsp_table *table, const batch_group *group, size_t at, double departure,
+                                        double *lower, double *upper)
+{
+    if (!locate_is_inside(table, departure)) return tdsp_table_arrival(table, departure, lower, upper);
+    uint64_t row = batch_row(table, group, at, departure);
+    *lower = arrival_lower(table, row, departure);
+    *upper = arrival_upper(table, row, departure);
+    return TDSP_OK;
+}
+
+tdsp_status tdsp_table_arrivals(const tdsp_table *table, const double *departures, size_t count, double *lower, double *upper,
+                                tdsp_status *statuses)
+{
+    batch_group group;
+    if (!table || !table->bytes || !departures) return TDSP_INVALID_ARGUMENT;
+    int grouped = batch_pays(table, &table->by_departure);
+    for (size_t i = 0; i < count; i++) {
+        size_t at = i % BATCH_GROUP;
+        if (grouped && at == 0) batch_prepare_departures(table, 1, departures + i, batch_size(count - i), &group);
+        double low = INFINITY;
+        double high = INFINITY;
+        tdsp_status status = batch_arrival(table, grouped ? &group : NULL, at, departures[i], &low, &high);
+        if (lower) lower[i] = low;
+        if (upper) upper[i] = high;
+        if (statuses) statuses[i] = status;
+    }
+    return TDSP_OK;
+}
+
+static inline tdsp_status batch_departure(const tdsp_table *table, const batch_group *group, size_t at, double arrival,
+                                          double *lower, double *upper)
+{
+    if (!group || group->cell[at] == BATCH_NONE) return tdsp_table_departure(table, arrival, lower, upper);
+    return departure_from(table, group->cell[at], group->start[at], arrival, lower, upper);
+}
+
+tdsp_status tdsp_table_departures(const tdsp_table *table, const double *arrivals, size_t count, double *departures,
+                                  double *departures_upper, tdsp_status *statuses)
+{
+    batch_group group;
+    if (!table || !table->bytes || !arrivals) return TDSP_INVALID_ARGUMENT;
+    int grouped = batch_pays(table, &table->by_arrival);
+    for (size_t i = 0; i < count; i++) {
+        size_t at = i % BATCH_GROUP;
+        if (grouped && at == 0) batch_prepare_arrivals(table, arrivals + i, batch_size(count - i), &group);
+        double low = -INFINITY;
+        double high = -INFINITY;
+        tdsp_status status = batch_departure(table, grouped ? &group : NULL, at, arrivals[i], &low, &high);
+        if (departures) departures[i] = low;
+        if (departures_upper) departures_upper[i] = high;
         if (statuses) statuses[i] = status;
     }
     return TDSP_OK;

@@ -20,9 +20,9 @@
 #include <math.h>
 
 #include "base/round.h"
+#include "query/departure.h"
 #include "query/outward.h"
-#include "query/search.h"
-#include "tdsp/table.h"
+#include "table/guide.h"
 
 /* The two predicates. An infinite right says that nothing leaves after the row. */
 static int departure_is_safe(const tdsp_table *table, uint64_t row, double arrival)
@@ -55,9 +55,8 @@ static uint64_t departure_halving(const tdsp_table *table, uint64_t first, uint6
 #define DEPARTURE_STEPS 8
 
 /* From the start of the cell: a few rows one by one, the rest halved. */
-static uint64_t departure_in_cell(const tdsp_table *table, uint64_t cell, double arrival)
+static uint64_t departure_in_cell(const tdsp_table *table, uint64_t cell, uint64_t start, double arrival)
 {
-    uint64_t start = guide_start(&table->by_arrival, cell);
     uint64_t end = guide_end(&table->by_arrival, cell);
     if (end > table->rows) end = table->rows;
     uint64_t near = end > DEPARTURE_STEPS && start < end - DEPARTURE_STEPS ? start + DEPARTURE_STEPS : end;
@@ -74,7 +73,8 @@ static uint64_t departure_count_rounded(const tdsp_table *table, double arrival)
     if (!guide->bases) return departure_halving(table, 0, table->rows, arrival);
     if (!(arrival >= guide->first)) return 0;
     if (!(arrival <= guide->last)) return table->rows;
-    return departure_in_cell(table, guide_cell(guide->first, guide->scale, arrival), arrival);
+    uint64_t cell = guide_cell(guide->first, guide->scale, arrival);
+    return departure_in_cell(table, cell, guide_start(guide, cell), arrival);
 }
 
 /* The first row in [first, end] that is not safe; the rows before `first` are. */
@@ -91,9 +91,8 @@ static uint64_t departure_count_ties(const tdsp_table *table, uint64_t first, do
     return first;
 }
 
-static uint64_t departure_count_safe(const tdsp_table *table, double arrival)
+static uint64_t departure_count_safe(const tdsp_table *table, uint64_t count, double arrival)
 {
-    uint64_t count = departure_count_rounded(table, arrival);
     if (count == table->rows || !departure_is_safe(table, count, arrival)) return count;
     return departure_count_ties(table, count + 1, arrival);
 }
@@ -147,12 +146,24 @@ static double departure_upper(const tdsp_table *table, uint64_t safe, double arr
     return next < solved ? next : solved;
 }
 
-tdsp_status tdsp_table_departure(const tdsp_table *table, double arrival, double *departure, double *upper)
+/* Given how many rows have a rounded arrival below a. */
+static tdsp_status departure_answer(const tdsp_table *table, uint64_t count, double arrival, double *departure, double *upper)
 {
-    if (!table || !table->bytes || isnan(arrival)) return TDSP_INVALID_ARGUMENT;
-    uint64_t safe = departure_count_safe(table, arrival);
+    uint64_t safe = departure_count_safe(table, count, arrival);
     if (safe == 0) return TDSP_ARRIVAL_TOO_EARLY;
     if (departure) *departure = departure_lower(table, safe, arrival);
     if (upper) *upper = departure_upper(table, safe, arrival);
     return TDSP_OK;
+}
+
+tdsp_status departure_from(const tdsp_table *table, uint64_t cell, uint64_t start, double arrival, double *departure,
+                           double *upper)
+{
+    return departure_answer(table, departure_in_cell(table, cell, start, arrival), arrival, departure, upper);
+}
+
+tdsp_status tdsp_table_departure(const tdsp_table *table, double arrival, double *departure, double *upper)
+{
+    if (!table || !table->bytes || isnan(arrival)) return TDSP_INVALID_ARGUMENT;
+    return departure_answer(table, departure_count_rounded(table, arrival), arrival, departure, upper);
 }

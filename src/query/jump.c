@@ -6,7 +6,7 @@
  * and 2^-40 of the arrival, since right may have been taken at the next double, where a steep T has risen a little.
  */
 #include "base/round.h"
-#include "query/search.h"
+#include "query/locate.h"
 #include "tdsp/table.h"
 
 static int jump_at(const tdsp_table *table, uint64_t row, tdsp_jump *out)
@@ -32,7 +32,7 @@ static int jump_asked(const tdsp_table *table, double departure, const tdsp_jump
 tdsp_status tdsp_table_next_jump(const tdsp_table *table, double departure, tdsp_jump *out)
 {
     if (!jump_asked(table, departure, out)) return TDSP_INVALID_ARGUMENT;
-    for (uint64_t row = search_first_row(table, departure); row < table->rows; row++) {
+    for (uint64_t row = locate_first_row(table, departure); row < table->rows; row++) {
         if (jump_at(table, row, out)) return TDSP_OK;
     }
     return TDSP_NO_ANSWER;
@@ -41,7 +41,7 @@ tdsp_status tdsp_table_next_jump(const tdsp_table *table, double departure, tdsp
 tdsp_status tdsp_table_previous_jump(const tdsp_table *table, double departure, tdsp_jump *out)
 {
     if (!jump_asked(table, departure, out)) return TDSP_INVALID_ARGUMENT;
-    for (uint64_t row = search_first_row(table, departure); row > 0; row--) {
+    for (uint64_t row = locate_first_row(table, departure); row > 0; row--) {
         if (jump_at(table, row - 1, out)) return TDSP_OK;
     }
     return TDSP_NO_ANSWER;

@@ -9,7 +9,7 @@
 #include <math.h>
 
 #include "base/round.h"
-#include "query/search.h"
+#include "query/locate.h"
 #include "tdsp/path.h"
 #include "tdsp/table.h"
 

@@ -36,7 +36,7 @@ typedef struct tdsp_journey {
  *         tdsp_journey_check(), tdsp_disc_check()); TDSP_NO_MEMORY
  *
  * O(n log n) expected: half a second for a million discs that are not in each other's way. The scene holds about 155 bytes for each
- * of its discs, 32 of them the copy; a disc that others enclose for good costs the copy only. While it is made, 175. Since 0.1.
+ * of its discs, 32 of them the copy; a disc that others enclose for good costs the copy only. While it is made, up to 190. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count,
                                        const tdsp_allocator *allocator, tdsp_scene **out);

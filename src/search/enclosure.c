@@ -17,7 +17,7 @@ static double least_radius(const tdsp_scene *scene, const geom_disc *disc, doubl
 {
     double away = point_distance(disc->center, scene->source);
     double first = disc_radius(disc, time), met = (disc->radius + disc->rate * (time + away)) / (1.0 + disc->rate);
-    double covered = disc_radius(disc, scene->destination_cover.time / scene->time);
+    double until = scene->destination_cover.time / scene->time, covered = until < INFINITY ? disc_radius(disc, until) : INFINITY;
     return fmin(fmax(first, met), covered) * (1.0 - TOUCH);
 }
 

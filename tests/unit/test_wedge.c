@@ -288,6 +288,7 @@ static void check_alone(world *w, uint64_t *chance)
             assert_true(sight.shortest <= legs[i].length * (1.0 + 1e-9) + 1e-12);
             assert_true(wedge_shortest(&wedge, gap) <= legs[i].length * (1.0 + 1e-9) + 1e-12);
             if (sight.is_apart) assert_int_equal(legs[i].root, 1);
+            if (legs[i].root < 0) assert_true(legs[i].to_side == w->motion.side ? w->motion.disc->rate < disc->rate : w->motion.disc->rate + disc->rate < 0.0);
             shows |= legs[i].root < 0 || wedge_shows(&wedge, legs[i].to_side == w->motion.side ? &sight.same : &sight.other, sight.shortest);
         }
         assert_true(shows);

@@ -1,97 +1,24 @@
 /* tdsp depart: exact latest departures. */
 #include <math.h>
 
+#include "answers.h"
 #include "commands.h"
-#include "json_out.h"
-#include "progress.h"
-#include "scene_solver.h"
-#include "text_table.h"
-#include "times.h"
 
-typedef struct Answer {
-    double arrival, departure, arrives, seconds; /* departure and arrives are infinite where there is none */
-    tdsp_status status;
-} Answer;
-
-static gboolean ask(tdsp_solver *solver, Answer *answer, GError **error)
+static gboolean ask(tdsp_solver *solver, double within, Answer *answer, GError **error)
 {
-    Stopwatch watch = stopwatch_start();
-    answer->status = tdsp_latest_departure(solver, answer->arrival, &answer->departure, &answer->arrives);
-    answer->seconds = stopwatch_seconds(watch);
+    (void)within; /* always exact */
+    double *departure = &answer->numbers[1], *arrives = &answer->numbers[2];
+    answer->status = tdsp_latest_departure(solver, answer->numbers[0], departure, arrives);
     if (!tdsp_status_is_answer(answer->status)) return cli_fail_status(error, "solver", answer->status);
-    if (answer->status != TDSP_OK) answer->departure = answer->arrives = INFINITY;
+    if (answer->status != TDSP_OK) *departure = *arrives = INFINITY;
     return TRUE;
-}
-
-static gboolean solve(tdsp_solver *solver, const GArray *arrivals, GArray *answers, GError **error)
-{
-    Progress progress = progress_begin("depart");
-    gboolean solved = TRUE;
-    for (guint i = 0; solved && i < arrivals->len; i++) {
-        Answer answer = {.arrival = g_array_index(arrivals, double, i)};
-        solved = ask(solver, &answer, error);
-        g_array_append_val(answers, answer);
-        progress_show(&progress, i + 1, arrivals->len);
-    }
-    progress_end(&progress);
-    return solved;
-}
-
-static gboolean print_text(const GArray *answers, GError **error)
-{
-    static const char *const heading[] = {"arrival", "departure", "arrives", "status", "seconds", NULL};
-    g_auto(TextTable) table = text_table_new(heading);
-    for (guint i = 0; i < answers->len; i++) {
-        const Answer *answer = &g_array_index(answers, Answer, i);
-        text_table_number(&table, answer->arrival);
-        text_table_number(&table, answer->departure);
-        text_table_number(&table, answer->arrives);
-        text_table_string(&table, tdsp_status_name(answer->status));
-        text_table_number(&table, answer->seconds);
-    }
-    return text_table_print(&table, error);
-}
-
-static gboolean print_json(const GArray *answers, double prepare_seconds, GError **error)
-{
-    g_auto(JsonOut) out = json_out_new();
-    json_out_begin(&out, '{');
-    json_out_member_number(&out, "prepare_seconds", prepare_seconds);
-    json_out_key(&out, "results");
-    json_out_begin(&out, '[');
-    for (guint i = 0; i < answers->len; i++) {
-        const Answer *answer = &g_array_index(answers, Answer, i);
-        json_out_line(&out);
-        json_out_begin(&out, '{');
-        json_out_member_number(&out, "arrival", answer->arrival);
-        json_out_member_number(&out, "departure", answer->departure);
-        json_out_member_number(&out, "arrives", answer->arrives);
-        json_out_member_string(&out, "status", tdsp_status_name(answer->status));
-        json_out_member_number(&out, "seconds", answer->seconds);
-        json_out_end(&out, '}');
-    }
-    json_out_end(&out, ']');
-    json_out_end(&out, '}');
-    return json_out_print(&out, error);
-}
-
-static gboolean any_ok(const GArray *answers)
-{
-    for (guint i = 0; i < answers->len; i++)
-        if (g_array_index(answers, Answer, i).status == TDSP_OK) return TRUE;
-    return FALSE;
 }
 
 int cmd_depart(const CliCommand *command, int argc, char **argv, GError **error)
 {
+    const AnswerKind kind = {
+        .command = command->name, .what = "arrival", .names = {"arrival", "departure", "arrives"}, .ask = ask};
     gboolean json = FALSE;
-    g_autoptr(GArray) arrivals = times_new();
-    g_autoptr(GArray) answers = g_array_new(FALSE, FALSE, sizeof(Answer));
-    g_auto(SceneSolver) solver = {0};
-    if (!cli_parse(command, NULL, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, -1, error) ||
-        !times_add_all(arrivals, argc, argv, 2, "arrival", error) || !scene_solver_load(argv[1], &solver, error) ||
-        !solve(solver.solver, arrivals, answers, error))
-        return CLI_FAILED;
-    if (!(json ? print_json(answers, solver.prepare_seconds, error) : print_text(answers, error))) return CLI_FAILED;
-    return cli_answer(any_ok(answers));
+    if (!cli_parse(command, NULL, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, -1, error)) return CLI_FAILED;
+    return answers_run(&kind, argc, argv, json, error);
 }

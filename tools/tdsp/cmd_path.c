@@ -1,4 +1,4 @@
-/* tdsp path: the path that answers a departure, from a scene (exact) or a table (the row's path, moved earlier). */
+/* tdsp path: the path that answers a departure, from a scene (the best, or within a share of it) or a table (the row's path, moved earlier). */
 #include <math.h>
 
 #include "commands.h"
@@ -13,6 +13,7 @@
 
 typedef struct Path {
     double departure, arrival;
+    double within, lower; /* 0: exact, without a lower bound */
     tdsp_status status;
     GArray *legs; /* of tdsp_leg; empty without a path */
     gboolean from_table;
@@ -25,13 +26,20 @@ static void path_clear(Path *path)
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Path, path_clear)
 
+static gboolean solve(tdsp_solver *solver, Path *path, GError **error)
+{
+    if (path->within > 0)
+        return scene_solver_arrival_within(solver, path->departure, path->within, &path->arrival, &path->lower, &path->status,
+                                           error);
+    return scene_solver_arrival(solver, path->departure, &path->arrival, &path->status, error);
+}
+
 static gboolean from_scene(const FileIn *file, Path *path, GError **error)
 {
     SceneFile scene;
     g_auto(SceneSolver) solver = {0};
     if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
-        !scene_solver_take(&scene, &solver, error) ||
-        !scene_solver_arrival(solver.solver, path->departure, &path->arrival, &path->status, error))
+        !scene_solver_take(&scene, &solver, error) || !solve(solver.solver, path, error))
         return FALSE;
     path->legs = path->status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
     return path->legs != NULL;
@@ -40,6 +48,7 @@ static gboolean from_scene(const FileIn *file, Path *path, GError **error)
 static gboolean from_table(const FileIn *file, Path *path, GError **error)
 {
     path->from_table = TRUE;
+    if (path->within > 0) return cli_fail(error, CLI_USAGE, "--within goes with a scene; the paths of a table are made already");
     if (!table_path_find(&file->table, path->departure, &path->row, error)) return FALSE;
     path->status = path->row.status;
     path->arrival = path->row.arrival;
@@ -77,6 +86,9 @@ static gboolean print_text(const Path *path, GError **error)
     g_autoptr(GString) text = g_string_new(NULL);
     g_string_printf(text, "# departure %s  arrival %s  %s\n", number_format(departure, path->departure),
                     number_format(arrival, path->arrival), tdsp_status_name(path->status));
+    if (path->within > 0)
+        g_string_append_printf(text, "# lower %s  within %s\n", number_format(departure, path->lower),
+                               number_format(arrival, path->within));
     if (path->from_table && path->status == TDSP_OK)
         g_string_append_printf(text, "# row %" G_GUINT64_FORMAT ", computed for departure %s\n", path->row.row,
                                number_format(departure, path->row.computed_for));
@@ -110,6 +122,10 @@ static gboolean print_json(const Path *path, const double *at, const tdsp_point 
     json_out_begin(&out, '{');
     json_out_member_number(&out, "departure", path->departure);
     json_out_member_number(&out, "arrival", path->arrival);
+    if (path->within > 0) {
+        json_out_member_number(&out, "lower", path->lower);
+        json_out_member_number(&out, "within", path->within);
+    }
     json_out_member_string(&out, "status", tdsp_status_name(path->status));
     if (path->from_table) json_row(&out, path);
     if (at) {
@@ -134,9 +150,10 @@ static gboolean print(const Path *path, const double *at, gboolean json, GError 
 int cmd_path(const CliCommand *command, int argc, char **argv, GError **error)
 {
     gboolean json = FALSE;
-    g_autofree char *at_text = NULL;
+    g_autofree char *at_text = NULL, *within = NULL;
     const GOptionEntry entries[] = {
         {"at", 0, 0, G_OPTION_ARG_STRING, &at_text, "Print where the robot is at TIME", "TIME"},
+        SCENE_SOLVER_WITHIN(&within),
         G_OPTION_ENTRY_NULL,
     };
     g_autoptr(GArray) times = times_new();
@@ -144,7 +161,7 @@ int cmd_path(const CliCommand *command, int argc, char **argv, GError **error)
     g_auto(Path) path = {0};
     if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, 2, error) ||
         !times_add(times, argv[2], "departure", error) || (at_text && !times_add(times, at_text, "--at", error)) ||
-        !file_in_load(argv[1], &file, error))
+        !scene_solver_parse_within(within, &path.within, error) || !file_in_load(argv[1], &file, error))
         return CLI_FAILED;
     path.departure = g_array_index(times, double, 0);
     if (!(file.kind == FILE_TABLE ? from_table(&file, &path, error) : from_scene(&file, &path, error))) return CLI_FAILED;

@@ -14,9 +14,11 @@
 
 static const CliCommand commands[] = {
     {"arrive", "SCENE T...", "exact earliest arrivals for departures",
-     "Print the earliest arrival at the destination for each departure T, exactly.\n"
-     "SCENE may be - for standard input.\n\n"
-     "Example:\n  tdsp arrive examples/scenes/two-discs.json 0 5 9.8496 9.8497",
+     "Print the earliest arrival at the destination for each departure T, exactly. With --within,\n"
+     "for a part of the work, an arrival whose travel time is at most 1 + DELTA times the least,\n"
+     "and a lower bound that nothing arrives before. SCENE may be - for standard input.\n\n"
+     "Examples:\n  tdsp arrive examples/scenes/two-discs.json 0 5 9.8496 9.8497\n"
+     "  tdsp arrive examples/scenes/fire-oregon-c.json 0 50 --within 0.01",
      cmd_arrive},
     {"depart", "SCENE A...", "exact latest departures for arrivals",
      "Print for each arrival A the latest departure that still arrives at A or before, exactly.\n\n"
@@ -24,7 +26,8 @@ static const CliCommand commands[] = {
      cmd_depart},
     {"path", "SCENE|TABLE T", "the path of one departure, leg by leg",
      "Print the path for departure T as legs: of a scene the fastest one, of a table the path\n"
-     "of the row that answers T, moved earlier. With --at only the robot's position at that time.\n\n"
+     "of the row that answers T, moved earlier. With --at only the robot's position at that time;\n"
+     "with --within, of a scene a path that takes at most 1 + DELTA times the least.\n\n"
      "Example:\n  tdsp path examples/scenes/two-discs.json 5 --at 12.5",
      cmd_path},
     {"build", "SCENE -o TABLE", "a table of certified arrivals, from a scene",

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "cli.h"
+#include "numbers.h"
 #include "stopwatch.h"
 
 gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
@@ -56,4 +57,23 @@ gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arr
     if (!tdsp_status_is_answer(*status)) return cli_fail_status(error, "solver", *status);
     if (*status != TDSP_OK) *arrival = INFINITY;
     return TRUE;
+}
+
+gboolean scene_solver_arrival_within(tdsp_solver *solver, double departure, double within, double *arrival, double *lower,
+                                     tdsp_status *status, GError **error)
+{
+    *status = tdsp_earliest_arrival_within(solver, departure, within, arrival, lower);
+    if (!tdsp_status_is_answer(*status)) return cli_fail_status(error, "solver", *status);
+    if (*status != TDSP_OK) *arrival = *lower = INFINITY;
+    return TRUE;
+}
+
+gboolean scene_solver_parse_within(const char *text, double *within, GError **error)
+{
+    *within = 0;
+    if (!text) return TRUE;
+    const char *wrong = number_parse(text, within);
+    if (wrong) return cli_fail(error, CLI_USAGE, "--within \"%s\": %s", text, wrong);
+    if (*within > 0 && *within <= 1) return TRUE;
+    return cli_fail(error, CLI_USAGE, "--within \"%s\": must be greater than 0 and at most 1", text);
 }

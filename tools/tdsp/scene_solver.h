@@ -23,4 +23,13 @@ GArray *scene_solver_path(const tdsp_solver *solver, GError **error);
 /* A(departure), infinite when there is no way, and the answer. FALSE for an error. */
 gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arrival, tdsp_status *status, GError **error);
 
+/* The same within a share of the best: nothing arrives before *lower, which is infinite too when there is no way. */
+gboolean scene_solver_arrival_within(tdsp_solver *solver, double departure, double within, double *arrival, double *lower,
+                                     tdsp_status *status, GError **error);
+
+/* The option for it; `text` receives what was given, which scene_solver_parse_within() turns into a share (NULL: 0, exact). */
+#define SCENE_SOLVER_WITHIN(text)                                                                                                \
+    {"within", 0, 0, G_OPTION_ARG_STRING, (text), "Travel time at most 1 + DELTA times the least, found sooner", "DELTA"}
+gboolean scene_solver_parse_within(const char *text, double *within, GError **error);
+
 #endif

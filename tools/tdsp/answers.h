@@ -1,0 +1,30 @@
+/* What the commands share that ask a scene's solver about times: `arrive` and `depart`. */
+#ifndef ANSWERS_H
+#define ANSWERS_H
+
+#include <glib.h>
+
+#include "tdsp/solver.h"
+
+#define ANSWER_NUMBERS 3 /* the time asked about first */
+
+typedef struct Answer {
+    double numbers[ANSWER_NUMBERS]; /* infinite where there is none */
+    double lower;                   /* of an answer within a share of the best */
+    tdsp_status status;
+    double seconds; /* that solving took */
+} Answer;
+
+typedef struct AnswerKind {
+    const char *command;
+    const char *what;                  /* is asked about, for messages */
+    const char *names[ANSWER_NUMBERS]; /* of the numbers, as columns and as keys */
+    double within;                     /* the share; 0: exact, without a lower bound */
+    /* Fill in an answer whose first number is the time asked about. */
+    gboolean (*ask)(tdsp_solver *solver, double within, Answer *answer, GError **error);
+} AnswerKind;
+
+/* Solve argv[1], a scene, for the times in argv[2] on, and print the answers. Returns an exit status. */
+int answers_run(const AnswerKind *kind, int argc, char **argv, gboolean json, GError **error);
+
+#endif

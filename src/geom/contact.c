@@ -1,6 +1,7 @@
 /* Who runs into whom: the equations are in contact.h and at ride_contact(). */
 #include "geom/contact.h"
 
+#include "geom/angle.h"
 #include "geom/spiral.h"
 #include "geom/tolerance.h"
 
@@ -106,28 +107,56 @@ static int contact_free(contact_state a, contact_state b, double least)
     return a.value > 0.0 && a.value + a.slope * half + bend > 0.0 && b.value > 0.0 && b.value - b.slope * half + bend > 0.0;
 }
 
-/* F falls through zero once between a and b. */
+/* A contact known this well, as a share of the times at hand, is known as well as can be. */
+#define CONTACT_TIME 1e-15
+
+/*
+ * F falls through zero once between a and b. Newton's step from a lands near the zero, on either side; after a step that stayed outside twice the next one
+ * is tried, which lands inside and brings b near as well.
+ */
 static double contact_solve(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b)
 {
-    for (int step = 0; step < 100; ++step) {
-        double middle = 0.5 * (a.time + b.time), newton = a.time - a.value / a.slope;
-        double time = newton > a.time && newton < b.time && step % 4 != 3 ? newton : middle;
+    double enough = CONTACT_TIME * (fabs(b.time) + (b.time - a.time));
+    int stayed_outside = 0;
+    for (int step = 0; step < 100 && b.time - a.time > enough; ++step) {
+        double newton = -a.value / a.slope, time = a.time + (stayed_outside ? 2.0 * newton + 0.5 * enough : newton);
+        if (!(time > a.time && time < b.time) || step % 8 == 7) time = 0.5 * (a.time + b.time);
         if (time <= a.time || time >= b.time) break;
         contact_state state = contact_at(ride, other, time);
-        if (state.value < 0.0) {
-            b = state;
-        } else {
-            if (time - a.time < 1e-15 * (fabs(time) + (b.time - a.time)) && step > 4) return time;
+        stayed_outside = state.value >= 0.0;
+        if (stayed_outside) {
             a = state;
+        } else {
+            b = state;
         }
     }
     return a.time;
+}
+
+/*
+ * Seen from the centre of the disc ridden, the other disc is within the angle w of its bearing at the rider's distance, cos(w) = (D^2 + R^2 - R_k^2) / (2 D R).
+ * Is the rider certainly farther from that bearing all the time?
+ */
+static int contact_impossible(const geom_ride *ride, const geom_disc *other)
+{
+    const geom_disc *disc = ride->disc;
+    tdsp_point between = point_sub(other->center, disc->center);
+    double r0 = disc_radius(disc, ride->start), r1 = disc_radius(disc, ride->end), low = r0 < r1 ? r0 : r1, high = r0 < r1 ? r1 : r0;
+    double k0 = disc_radius(other, ride->start), k1 = disc_radius(other, ride->end), large = k0 < k1 ? k1 : k0;
+    double distance = point_length(between);
+    if (large >= distance || low <= 0.0) return 0;
+    double cosine = (distance - large) * (distance + large) / (2.0 * distance * high) + low / (2.0 * distance);
+    double window = 0.5 * GEOM_PI - asin_near(cosine) + 2.0 * GEOM_ANGLE_NEAR;
+    double ahead = angle_positive(ride->side * (angle_near(between.y, between.x) - ride->angle));
+    double turn = ride->side * (ride_angle(ride, ride->end) - ride->angle);
+    return cosine > 1.0 + GEOM_ANGLE_NEAR || (ahead - turn > window && GEOM_TURN - ahead > window);
 }
 
 #define CONTACT_DEPTH 48
 
 double ride_contact(const geom_ride *ride, const geom_disc *other)
 {
+    if (contact_impossible(ride, other)) return INFINITY;
     contact_state later[CONTACT_DEPTH + 2]; /* the ends of the intervals still to do, the next one on top */
     double smallest = (ride->end - ride->start) * 1e-9;
     int top = 0;

@@ -146,58 +146,62 @@ int tangent_domain(const geom_tangent *tangent, double t0, double t1, double end
     return domain_add(ends, count, close > lo ? close : lo, hi);
 }
 
-/* The rider's angle to the departure point, up to the constant that it has in common for all times. */
-static double departure_turn(const geom_tangent *tangent, double time)
-{
-    double k = tangent_k(tangent, time);
-    return -tangent->side * tangent->root * tangent->to_side * atan2(tangent_reach(tangent, k), k);
-}
-
 /* The rider and the equation it has to solve: fall(t) = rho h(t), which never rises. */
 typedef struct leave_equation {
     const geom_tangent *tangent;
     double t0;
-    double turn_start; /* departure_turn at `start` */
+    double turn_start; /* the departure point at `start` */
     double start;      /* begin of the piece */
     double ridden;     /* angle ridden at `start` */
     double fall_start; /* value there, in [0, 2 pi) */
 } leave_equation;
 
-static double leave_value(const leave_equation *equation, double time)
+/* The rider's angle to the departure point, up to the constant that it has in common for all times. */
+static double departure_turn(const geom_tangent *tangent, double k, double reach)
+{
+    return -tangent->side * tangent->root * tangent->to_side * atan2(reach, k);
+}
+
+/* The value at a time, and its slope. */
+static double leave_value(const leave_equation *equation, double time, double *slope)
 {
     const geom_tangent *tangent = equation->tangent;
-    double moved = departure_turn(tangent, time) - equation->turn_start;
+    double k = tangent_k(tangent, time), reach = tangent_reach(tangent, k);
+    double length = tangent->root * reach - tangent_w(tangent, time);
+    double moved = departure_turn(tangent, k, reach) - equation->turn_start;
     double ridden = spiral_angle(tangent->from, equation->t0, time) - equation->ridden;
+    *slope = -tangent->from->sine * (length > 0.0 ? length : 0.0) / (disc_radius(tangent->from, time) * reach);
     return equation->fall_start + tangent->root * (moved - ridden);
 }
 
-static double leave_slope(const leave_equation *equation, double time)
+/*
+ * Newton inside a bracket: value(lo) >= 0; whether value(hi) <= 0 is asked only when a step leads there. Where the departure point stands nearly
+ * still, the time that the rider takes to turn to where it was is nearly the answer. Returns 0 when there is none.
+ */
+static int leave_solve(const leave_equation *equation, double lo, double hi, double *leave)
 {
-    const geom_tangent *tangent = equation->tangent;
-    double reach = tangent_reach(tangent, tangent_k(tangent, time));
-    double turn = tangent->from->sine * tangent->to->sine * tangent_length(tangent, time);
-    return -turn / (disc_radius(tangent->from, time) * reach);
-}
-
-/* Newton inside a bracket: value(lo) >= 0 >= value(hi). */
-static double leave_solve(const leave_equation *equation, double lo, double hi, double value_hi)
-{
-    double share = equation->fall_start / (equation->fall_start - value_hi);
-    double time = lo + (hi - lo) * (share > 0.0 && share < 1.0 ? share : 0.5);
+    const double end = hi;
+    int is_bracketed = 0;
+    double time = equation->tangent->root > 0 ? lo + spiral_duration(equation->tangent->from, lo, equation->fall_start) : 0.5 * (lo + hi);
+    if (!(time < hi)) time = hi;
     for (int step = 0; step < 100; ++step) {
-        double value = leave_value(equation, time);
-        if (fabs(value) <= GEOM_ANGLE) return time;
+        double slope, value = leave_value(equation, time, &slope);
+        if (value > 0.0 && time == end && !is_bracketed) return 0;
+        *leave = time;
+        if (fabs(value) <= GEOM_ANGLE) return 1;
         if (value > 0.0) {
             lo = time;
         } else {
             hi = time;
+            is_bracketed = 1;
         }
-        double next = time - value / leave_slope(equation, time);
-        if (!(next > lo && next < hi) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
-        if (next == time || next <= lo || next >= hi) return time;
+        double next = time - value / slope;
+        if (!is_bracketed && !(next < end)) next = end;
+        else if (!(next > lo && next < hi) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
+        if (next == time || next <= lo || (is_bracketed && next >= hi)) return 1;
         time = next;
     }
-    return time;
+    return 1;
 }
 
 /* Concentric discs: one moment, from every angle. */
@@ -214,7 +218,8 @@ static int leave_concentric(const geom_tangent *tangent, double t0, double t1, d
 static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, double lo, double hi, double *leave)
 {
     const geom_disc *i = tangent->from, *j = tangent->to;
-    leave_equation equation = {tangent, t0, departure_turn(tangent, lo), lo, spiral_angle(i, t0, lo), 0.0};
+    double k = tangent_k(tangent, lo);
+    leave_equation equation = {tangent, t0, departure_turn(tangent, k, tangent_reach(tangent, k)), lo, spiral_angle(i, t0, lo), 0.0};
     double fixed = tangent->bearing + tangent->to_side * j->theta - tangent->side * i->theta - angle;
     double ahead = tangent->side * fixed + equation.turn_start - equation.ridden;
     equation.fall_start = angle_positive(tangent->root * ahead);
@@ -222,10 +227,7 @@ static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, 
         *leave = lo;
         return 1;
     }
-    double value_hi = leave_value(&equation, hi);
-    if (value_hi > 0.0) return 0;
-    *leave = leave_solve(&equation, lo, hi, value_hi);
-    return 1;
+    return leave_solve(&equation, lo, hi, leave);
 }
 
 int tangent_leave(const geom_tangent *tangent, double angle, double t0, double t1, double *leave)

@@ -203,7 +203,7 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
     engine->view.sign = question->direction;
     engine->view.discs = question->direction == ENGINE_FORWARD ? set->forward : set->reverse;
     int is_part = set != &engine->scene->all;
-    engine->patience = is_part && !question->patience ? ENGINE_PART_PATIENCE : question->patience;
+    engine->patience = is_part && !question->patience ? engine->part_patience : question->patience;
     ++engine->runs;
     tdsp_status status = engine_set_around(engine, set);
     if (status == TDSP_OK) status = tdsp_search_run(engine->open, &problem, &start, 1, NULL);

@@ -16,7 +16,6 @@
 #include "search/search.h"
 
 #define ENGINE_NONE 0xffffffffu
-#define ENGINE_PART_PATIENCE 64u
 #define ENGINE_GOAL 0xfffffffeu /* the disc index of a leg to the goal */
 
 /* A boundary smaller than this is no place to ride: nobody has to go round it. */
@@ -94,7 +93,8 @@ typedef struct disc_engine {
     uint32_t stamp;
     uint32_t arrived; /* the leg that reached the goal, or ENGINE_NONE */
     int gave_up;
-    uint64_t patience; /* of the run */
+    uint64_t part_patience; /* of questions to a part of the scene's discs */
+    uint64_t patience;      /* of the run */
     uint64_t runs;     /* so far */
     uint64_t chunks;   /* of rides followed, in the run */
     uint64_t chunks_followed;
@@ -108,7 +108,7 @@ uint64_t engine_bytes(const disc_engine *engine);
 /*
  * Search among the discs of a set, whose indices the question's seeds and all labels use. Afterwards `arrived` names the last leg of
  * the path, or is ENGINE_NONE. A question that asks to explain arrives with a leg that only the goal's cover stopped. Among a part of the scene's discs
- * a question that does not say how patient it is has ENGINE_PART_PATIENCE, and the answer is TDSP_NO_ANSWER when it gave up.
+ * a question that does not say how patient it is has `part_patience`, and the answer is TDSP_NO_ANSWER when it gave up.
  */
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question);
 

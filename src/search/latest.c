@@ -86,8 +86,10 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
     tdsp_solver *solver = state->solver;
     ++solver->work.reverse_searches;
     engine_question ask = *question;
-    int lost;
-    tdsp_status status = state->set == &solver->scene->all ? engine_scout(&solver->engine, &ask, &lost) : TDSP_OK;
+    int lost = 0;
+    tdsp_status status = TDSP_OK;
+    if (state->set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED) status = engine_scout(&solver->engine, &ask, &lost);
+    if (lost) return TDSP_NO_ANSWER;
     if (status == TDSP_OK) status = engine_run(&solver->engine, state->set, &ask);
     *departure = -1.0;
     if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);

@@ -70,7 +70,10 @@ static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t ta
     return task_push(task, &tangent, target, leave);
 }
 
-/* Discs that are apart have K^2 + w^2 <= (R_i + R_j)^2 < |D|^2: the second root has no legs, and every leg of the first has a length. */
+/*
+ * The second root has legs only where q sin(alpha) > 0: to the own side of a disc of a larger rate, or, when time runs backwards, to the other side. And
+ * discs that are apart have K^2 + w^2 <= (R_i + R_j)^2 < |D|^2: the second root has none at all, and every leg of the first has a length.
+ */
 static tdsp_status task_try_roots(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int is_apart)
 {
     tdsp_status status = task_try(task, pair, target, to_side, 1);
@@ -103,13 +106,14 @@ static tdsp_status task_visit(leave_task *task, uint32_t k, double bearing)
     if (!wedge_look_at_disc(&task->wedge, disc, distance, bearing, &sight)) return TDSP_OK;
     int shows_same = wedge_shows(&task->wedge, &sight.same, sight.shortest);
     int shows_other = wedge_shows(&task->wedge, &sight.other, sight.shortest);
+    int second_roots = !sight.is_apart && (own->rate < disc->rate || own->rate + disc->rate < 0.0);
     tdsp_status status = TDSP_OK;
-    if (shows_same || shows_other || !sight.is_apart) {
+    if (shows_same || shows_other || second_roots) {
         geom_pair pair = pair_make(own, disc);
         if (shows_same) status = task_try(task, &pair, k, side, 1);
         if (shows_other && status == TDSP_OK) status = task_try(task, &pair, k, -side, 1);
-        if (!sight.is_apart && status == TDSP_OK) status = task_try(task, &pair, k, side, -1);
-        if (!sight.is_apart && status == TDSP_OK) status = task_try(task, &pair, k, -side, -1);
+        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, side, -1);
+        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, -side, -1);
     }
     if (status == TDSP_OK && !*task->done) wedge_cover(&task->wedge, disc, &sight);
     return status;

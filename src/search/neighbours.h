@@ -15,7 +15,7 @@
 #define NEIGHBOUR_RINGS 12
 
 /* No ring is added once there are so many discs in them. */
-#define NEIGHBOURS_MOST 256u
+#define NEIGHBOURS_MOST 48u
 
 /* Unused places at a block's end are out of everyone's reach. */
 typedef struct neighbour_block {

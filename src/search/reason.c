@@ -71,8 +71,8 @@ tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reas
         *reason = TDSP_CUT_OFF;
         return status;
     }
-    status = open_at_last_moment(solver->scene, &open);
-    if (status == TDSP_OK && !open) status = stopped_by_cover(solver, departure, &open);
+    status = stopped_by_cover(solver, departure, &open); /* mostly the cheaper of the two */
+    if (status == TDSP_OK && !open) status = open_at_last_moment(solver->scene, &open);
     if (status == TDSP_OK) *reason = open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
     return status;
 }

@@ -10,9 +10,15 @@
 #define LARGE_SHARE 8u
 #define ROUNDS 100
 
-/* ... or when the searches of one round have followed so many chunks of rides each, or those of all rounds so many. */
-#define ROUND_PATIENCE 36u
-#define PATIENCE 128u
+/* How much a relaxation may cost, in chunks of rides followed. */
+typedef struct relax_patience {
+    uint64_t search; /* one search gives up after so many, */
+    uint64_t round;  /* no other round follows when the searches of one took so many each, */
+    uint64_t all;    /* or those of all rounds */
+} relax_patience;
+
+/* At first, and when the scouts are lost: then the search among all discs may cost a hundred times as much as any round. */
+static const relax_patience BRIEF = {64, 36, 512}, LONG = {512, 256, 1024};
 
 tdsp_status relax_create(relaxation *self, const tdsp_scene *scene)
 {
@@ -83,30 +89,37 @@ static uint32_t relax_mend(relaxation *self, const disc_engine *engine)
     return self->member_count - before;
 }
 
-/* Is relaxation getting nowhere? */
-static int relax_is_weary(const disc_engine *engine, uint64_t chunks_before, uint64_t round_before, uint64_t runs_before)
+/* Ask among more and more discs. TDSP_NO_ANSWER when that gets nowhere. */
+static tdsp_status relax_rounds(relaxation *self, disc_engine *engine, const relax_patience *patience, relax_question ask, void *ctx)
 {
-    uint64_t in_round = engine->chunks_followed - round_before, runs = engine->runs - runs_before;
-    return in_round > ROUND_PATIENCE * runs || engine->chunks_followed - chunks_before > PATIENCE * runs;
+    const disc_set *all = &self->scene->all;
+    uint64_t before = engine->chunks_followed;
+    engine->part_patience = patience->search;
+    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count; ++round) {
+        uint64_t round_before = engine->chunks_followed, runs = engine->runs;
+        tdsp_status status = set_choose(&self->working, &self->scene->allocator, all, self->members, self->member_count);
+        ++self->rounds;
+        if (status == TDSP_OK) status = ask(ctx, &self->working);
+        if (status != TDSP_OK || engine->arrived == ENGINE_NONE || relax_mend(self, engine) == 0) return status;
+        runs = engine->runs - runs;
+        if (engine->chunks_followed - round_before > patience->round * runs || engine->chunks_followed - before > patience->all * runs) break;
+    }
+    return TDSP_NO_ANSWER;
 }
 
 tdsp_status relax_run(relaxation *self, disc_engine *engine, relax_question ask, void *ctx)
 {
     const disc_set *all = &self->scene->all;
-    uint64_t before = engine->chunks_followed;
-    int weary = 0;
+    self->stage = RELAX_LAST;
     if (all->count <= SMALL) return ask(ctx, all);
     relax_clear(self);
-    for (int round = 0; round < ROUNDS && self->member_count * LARGE_SHARE < all->count && !weary; ++round) {
-        uint64_t round_before = engine->chunks_followed, runs_before = engine->runs;
-        tdsp_status status = set_choose(&self->working, &self->scene->allocator, all, self->members, self->member_count);
-        ++self->rounds;
-        if (status == TDSP_OK) status = ask(ctx, &self->working);
-        if (status == TDSP_NO_ANSWER) break;
-        if (status != TDSP_OK || engine->arrived == ENGINE_NONE || relax_mend(self, engine) == 0) return status;
-        weary = relax_is_weary(engine, before, round_before, runs_before);
-    }
-    return ask(ctx, all);
+    tdsp_status status = relax_rounds(self, engine, &BRIEF, ask, ctx);
+    if (status != TDSP_NO_ANSWER) return status;
+    self->stage = RELAX_SCOUTED;
+    status = ask(ctx, all);
+    self->stage = RELAX_LAST;
+    if (status == TDSP_NO_ANSWER) status = relax_rounds(self, engine, &LONG, ask, ctx);
+    return status == TDSP_NO_ANSWER ? ask(ctx, all) : status;
 }
 
 uint32_t relax_given(const relaxation *self, const disc_set *set, uint32_t disc)

@@ -60,14 +60,21 @@ double solver_time_of(const tdsp_scene *scene, double departure, double began, d
     return fmin(found, fmax(departure, scene->destination_cover.time));
 }
 
-/* Among all discs scouts go first; where they are lost, the destination may be walled in. */
+/* Where the scouts are lost the destination may be walled in; if it is not, relaxation has another try. */
+static tdsp_status solver_scout(tdsp_solver *solver, engine_question *question)
+{
+    int lost;
+    tdsp_status status = engine_scout(&solver->engine, question, &lost);
+    if (status != TDSP_OK || !lost) return status;
+    status = enclosure_test(&solver->enclosure, &solver->engine, question->time, &solver->is_enclosed);
+    return status == TDSP_OK && !solver->is_enclosed ? TDSP_NO_ANSWER : status;
+}
+
 static tdsp_status solver_run(tdsp_solver *solver, const disc_set *set, engine_question *question)
 {
-    disc_engine *engine = &solver->engine;
-    int lost = 0;
-    tdsp_status status = set == &solver->scene->all ? engine_scout(engine, question, &lost) : TDSP_OK;
-    if (status == TDSP_OK && lost) status = enclosure_test(&solver->enclosure, engine, question->time, &solver->is_enclosed);
-    return status == TDSP_OK && !solver->is_enclosed ? engine_run(engine, set, question) : status;
+    int is_scouted = set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED;
+    tdsp_status status = is_scouted ? solver_scout(solver, question) : TDSP_OK;
+    return status == TDSP_OK && !solver->is_enclosed ? engine_run(&solver->engine, set, question) : status;
 }
 
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival)

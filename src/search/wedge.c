@@ -117,13 +117,16 @@ int wedge_look_at_block(const look_wedge *self, const neighbour_block *block, in
     return count;
 }
 
+/* Where |k| > 1 at both ends, by more than rounding, there is no leg: the range is empty then. */
+#define TOUCH 1e-9
+
 /* The arc sines of k at both ends, as a range. */
 static wedge_range arc_sines(const look_wedge *self, double cosine, const double radius[2], double distance)
 {
-    double first = asin_near((self->radius[0] * cosine - radius[0]) / distance);
-    double last = asin_near((self->radius[1] * cosine - radius[1]) / distance);
-    wedge_range range = {smaller(first, last) - NEAR, larger(first, last) + NEAR};
-    return range;
+    double first = (self->radius[0] * cosine - radius[0]) / distance, last = (self->radius[1] * cosine - radius[1]) / distance;
+    double least = smaller(first, last), most = larger(first, last);
+    wedge_range none = {INFINITY, -INFINITY}, range = {asin_near(least) - NEAR, asin_near(most) + NEAR};
+    return most < -1.0 - TOUCH || least > 1.0 + TOUCH ? none : range;
 }
 
 int wedge_look_at_disc(const look_wedge *self, const geom_disc *disc, double distance, double bearing, wedge_sight *sight)
@@ -159,6 +162,7 @@ int wedge_look_at_place(const look_wedge *self, tdsp_point place, double reach, 
 
 int wedge_shows(const look_wedge *self, const wedge_range *range, double shortest)
 {
+    if (range->from > range->to) return 0;
     double half = 0.5 * (range->to - range->from), middle = angle_wrap(angle_wrap(range->from + half));
     if (fabs(middle) > self->half_angle + half) return 0;
     return middle - half < -GEOM_PI || middle + half > GEOM_PI || !sky_hides(&self->sky, middle - half, middle + half, shortest);

@@ -32,7 +32,7 @@ typedef struct look_wedge {
     skyline sky;
 } look_wedge;
 
-/* The bounds of a heading. */
+/* The bounds of a heading; from > to where there is no leg. */
 typedef struct wedge_range {
     double from;
     double to;

@@ -21,18 +21,16 @@ typedef struct within_question {
     tdsp_status answer;
 } within_question;
 
-/* Among all discs: with the patience of a scout, and where that is not enough, without, unless the destination is walled in. */
+/* Among all discs: with the patience of a scout first. */
 static tdsp_status run_weighted(tdsp_solver *solver, engine_question *question)
 {
     disc_engine *engine = &solver->engine;
-    const disc_set *all = &solver->scene->all;
-    question->patience = engine_patience(engine);
-    tdsp_status status = engine_run(engine, all, question);
+    int is_brief = solver->relaxation.stage == RELAX_SCOUTED;
+    question->patience = is_brief ? engine_patience(engine) : 0;
+    tdsp_status status = engine_run(engine, &solver->scene->all, question);
     if (status != TDSP_OK || !engine->gave_up) return status;
     status = enclosure_test(&solver->enclosure, engine, question->time, &solver->is_enclosed);
-    if (status != TDSP_OK || solver->is_enclosed) return status;
-    question->patience = 0;
-    return engine_run(engine, all, question);
+    return status == TDSP_OK && !solver->is_enclosed ? TDSP_NO_ANSWER : status;
 }
 
 static tdsp_status ask_within(void *ctx, const disc_set *set)

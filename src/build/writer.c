@@ -155,8 +155,10 @@ tdsp_status writer_add(writer *w, const writer_row *row)
  * less. Tables of a few rows are searched as fast without (docs/decisions/0006).
  */
 #define WRITER_CELLS 8.0
+#define WRITER_CELLS_MEDIUM 4.0
 #define WRITER_CELLS_LARGE 1.0
 #define WRITER_CELLS_ARRIVAL 2.0
+#define WRITER_MEDIUM 8192u /* rows, from which on a table is that */
 #define WRITER_LARGE 131072u
 #define WRITER_GUIDE_MIN_ROWS 16u
 
@@ -183,7 +185,8 @@ static int writer_keys_rise(const writer *w, size_t section)
 static double writer_cells_per_row(const writer *w, size_t section)
 {
     if (section == FORMAT_BY_ARRIVAL) return WRITER_CELLS_ARRIVAL;
-    return w->row_count < WRITER_LARGE ? WRITER_CELLS : WRITER_CELLS_LARGE;
+    if (w->row_count < WRITER_MEDIUM) return WRITER_CELLS;
+    return w->row_count < WRITER_LARGE ? WRITER_CELLS_MEDIUM : WRITER_CELLS_LARGE;
 }
 
 /* None where the span is 0 or so small or large that a cell's length is no double. */

@@ -9,7 +9,9 @@
 #include "support/toy_tables.h"
 #include "support/world.h"
 
-enum { RING = 24, MOST = RING + 200 };
+#define RING 24
+
+enum { MOST = RING + 200 };
 
 static const tdsp_journey across = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
 

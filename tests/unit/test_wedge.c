@@ -12,7 +12,10 @@
 #include "search/wedge.h"
 #include "support/chance.h"
 
-enum { MOST = 60, SECTORS = 6 };
+enum { MOST = 60 };
+
+/* A start looks about in so many sectors. */
+#define SECTORS 6
 
 /* Shorter legs than this only join a disc to one that it touches. */
 #define NO_LENGTH 1e-9

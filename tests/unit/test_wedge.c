@@ -6,13 +6,14 @@
 
 #include <string.h>
 
+#include "geom/angle.h"
 #include "geom/spiral.h"
 #include "geom/tangent.h"
 #include "geom/tolerance.h"
 #include "search/wedge.h"
 #include "support/chance.h"
 
-enum { MOST = 60 };
+enum { MOST = 90 };
 
 /* A start looks about in so many sectors. */
 #define SECTORS 6
@@ -199,7 +200,39 @@ static void look_at_ring(world *w, look_wedge *wedge, const neighbour_ring *ring
     }
 }
 
-/* Look ring by ring, as far as anything can be seen. */
+typedef struct far_disc {
+    uint32_t disc;
+    double shortest; /* no leg to it is shorter */
+} far_disc;
+
+/* The discs beyond the rings that may be seen, nearest first. */
+static int find_far(const world *w, const look_wedge *wedge, double rings, far_disc found[MOST])
+{
+    int count = 0;
+    for (uint32_t k = 0; k < w->set.count; ++k) {
+        const geom_disc *disc = &w->discs[k];
+        double radius = fmax(disc_radius(disc, w->motion.start), disc_radius(disc, w->motion.end)), shortest;
+        if (k == w->self || point_distance(disc->center, w->motion.disc->center) - w->set.forward[k].radius <= rings) continue;
+        if (!wedge_look_at_place(wedge, disc->center, radius, disc->rate, &shortest)) continue;
+        int at = count++;
+        for (; at > 0 && found[at - 1].shortest > shortest; --at) found[at] = found[at - 1];
+        found[at].disc = k;
+        found[at].shortest = shortest;
+    }
+    return count;
+}
+
+static void look_far(const world *w, look_wedge *wedge, double rings, shown_to shown)
+{
+    far_disc found[MOST];
+    int count = find_far(w, wedge, rings, found);
+    for (int i = 0; i < count && sky_advance(&wedge->sky, found[i].shortest); ++i) {
+        tdsp_point offset = point_sub(w->discs[found[i].disc].center, w->motion.disc->center);
+        visit(w, wedge, found[i].disc, angle_near(offset.y, offset.x), shown);
+    }
+}
+
+/* Look ring by ring, and then beyond them, as far as anything can be seen. */
 static void look_around(world *w, look_wedge *wedge, shown_to shown)
 {
     uint32_t place;
@@ -212,7 +245,10 @@ static void look_around(world *w, look_wedge *wedge, shown_to shown)
         int added;
         if (shortest > wedge->longest || !sky_advance(&wedge->sky, shortest)) return;
         assert_int_equal(neighbours_widen(&w->around, &w->memory, place, &added), TDSP_OK);
-        if (ring == w->around.rings[place].ring_count) return;
+        if (ring == w->around.rings[place].ring_count) {
+            look_far(w, wedge, radius, shown);
+            return;
+        }
         look_at_ring(w, wedge, &w->around.rings[place].rings[ring], shown);
         radius = w->around.rings[place].rings[ring].radius;
     }

@@ -282,7 +282,7 @@ static void each_world(int count, uint64_t seed, check_world check)
     assert_true(good > count / 2);
 }
 
-static int shown_legs, hidden_legs;
+static int shown_legs, hidden_legs, points_seen;
 
 static void check_all_seen(world *w, uint64_t *chance)
 {
@@ -338,6 +338,33 @@ static void a_disc_alone_shows_all_its_legs_and_no_shorter_one(void **state)
 {
     (void)state;
     each_world(3000, 2, check_alone);
+}
+
+/* A point is a disc that nobody rides on: the leg to it is shown as one to its own side. */
+static void check_point(world *w, uint64_t *chance)
+{
+    if (w->self == INDEX_NONE) return;
+    for (int i = 0; i < 20; ++i) {
+        geom_disc point = disc_point(point_make(chance_between(chance, -2.0, 2.0), chance_between(chance, -2.0, 2.0)));
+        geom_pair pair = pair_make(w->motion.disc, &point);
+        geom_tangent tangent = tangent_make(&pair, w->motion.side, w->motion.side, 1);
+        look_wedge wedge = wedge_at(w, 0);
+        wedge_sight sight;
+        double leave;
+        assert_int_equal(wedge_look_at_disc(&wedge, &point, pair.distance, pair.bearing, &sight), 1);
+        if (!sight.is_apart || !tangent_possible(&tangent) || !tangent_leave(&tangent, w->motion.angle, w->motion.start, w->motion.end, &leave)) continue;
+        assert_true(sight.shortest <= tangent_length(&tangent, leave) * (1.0 + 1e-9) + 1e-12);
+        assert_true(wedge_shows(&wedge, &sight.same, sight.shortest));
+        ++points_seen;
+    }
+}
+
+static void a_point_shows_the_leg_to_it(void **state)
+{
+    (void)state;
+    points_seen = 0;
+    each_world(6000, 8, check_point);
+    assert_true(points_seen > 2000);
 }
 
 static void check_places(world *w, uint64_t *chance)
@@ -491,6 +518,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_leg_that_is_not_shown_is_blocked),
         cmocka_unit_test(a_disc_alone_shows_all_its_legs_and_no_shorter_one),
+        cmocka_unit_test(a_point_shows_the_leg_to_it),
         cmocka_unit_test(a_place_that_holds_a_disc_shows_where_its_legs_do),
         cmocka_unit_test(every_ray_inside_a_cover_runs_into_its_disc_within_the_reach),
         cmocka_unit_test(no_limit_cuts_a_leg_that_is_in_time),

@@ -174,6 +174,12 @@ static double leave_value(const leave_equation *equation, double time, double *s
     return equation->fall_start + tangent->root * (moved - ridden);
 }
 
+/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
+static int tangent_stands(const geom_tangent *tangent)
+{
+    return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
+}
+
 /*
  * Newton inside a bracket: value(lo) >= 0; whether value(hi) <= 0 is asked only when a step leads there. Where the departure point stands nearly
  * still, the time that the rider takes to turn to where it was is nearly the answer. Returns 0 when there is none.
@@ -182,7 +188,10 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
 {
     const double end = hi;
     int is_bracketed = 0;
-    double time = equation->tangent->root > 0 ? lo + spiral_duration(equation->tangent->from, lo, equation->fall_start) : 0.5 * (lo + hi);
+    const geom_tangent *tangent = equation->tangent;
+    double time = tangent->root > 0 ? lo + spiral_duration(tangent->from, lo, equation->fall_start) : 0.5 * (lo + hi);
+    *leave = time;
+    if (time <= hi && tangent->root > 0 && tangent_stands(tangent)) return 1;
     if (!(time < hi)) time = hi;
     for (int step = 0; step < 100; ++step) {
         double slope, value = leave_value(equation, time, &slope);
@@ -228,6 +237,11 @@ static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, 
         return 1;
     }
     return leave_solve(&equation, lo, hi, leave);
+}
+
+int tangent_leave_apart(const geom_tangent *tangent, double angle, double t0, double t1, double *leave)
+{
+    return leave_in_piece(tangent, angle, t0, t0, t1, leave);
 }
 
 int tangent_leave(const geom_tangent *tangent, double angle, double t0, double t1, double *leave)

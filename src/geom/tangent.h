@@ -70,4 +70,7 @@ double tangent_length(const geom_tangent *tangent, double time);
  */
 int tangent_leave(const geom_tangent *tangent, double angle, double t0, double t1, double *leave);
 
+/* The same for the first root between discs that are apart all the time, where the leg exists all the time. */
+int tangent_leave_apart(const geom_tangent *tangent, double angle, double t0, double t1, double *leave);
+
 #endif

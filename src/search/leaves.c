@@ -60,24 +60,39 @@ static tdsp_status task_push(leave_task *task, const geom_tangent *tangent, uint
 }
 
 /* Push the leg of one branch, if it leaves this chunk. */
-static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int root)
+static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int root, int is_apart)
 {
     const geom_ride *motion = &task->wedge.motion;
     double leave = motion->start;
     geom_tangent tangent = tangent_make(pair, motion->side, to_side, root);
     if (*task->done || !tangent_possible(&tangent)) return TDSP_OK;
-    if (!task_is_start(task) && !tangent_leave(&tangent, motion->angle, motion->start, motion->end, &leave)) return TDSP_OK;
-    return task_push(task, &tangent, target, leave);
+    int leaves = task_is_start(task) ? 1
+                 : is_apart          ? tangent_leave_apart(&tangent, motion->angle, motion->start, motion->end, &leave)
+                                     : tangent_leave(&tangent, motion->angle, motion->start, motion->end, &leave);
+    return leaves ? task_push(task, &tangent, target, leave) : TDSP_OK;
 }
 
 /*
  * The second root has legs only where q sin(alpha) > 0: to the own side of a disc of a larger rate, or, when time runs backwards, to the other side. And
  * discs that are apart have K^2 + w^2 <= (R_i + R_j)^2 < |D|^2: the second root has none at all, and every leg of the first has a length.
  */
-static tdsp_status task_try_roots(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int is_apart)
+static tdsp_status task_try_roots(leave_task *task, const geom_pair *pair, uint32_t target, int to_side)
 {
-    tdsp_status status = task_try(task, pair, target, to_side, 1);
-    return status == TDSP_OK && !is_apart ? task_try(task, pair, target, to_side, -1) : status;
+    tdsp_status status = task_try(task, pair, target, to_side, 1, 0);
+    return status == TDSP_OK ? task_try(task, pair, target, to_side, -1, 0) : status;
+}
+
+/* Push the leg to the goal: to a point it does not matter on which side it is passed. */
+static tdsp_status task_try_goal(leave_task *task)
+{
+    const geom_disc *own = task->wedge.motion.disc, *goal = &task->engine->goal;
+    tdsp_point offset = point_sub(goal->center, own->center);
+    wedge_sight sight;
+    wedge_look_at_disc(&task->wedge, goal, point_length(offset), angle_near(offset.y, offset.x), &sight);
+    if (sight.is_apart && !wedge_shows(&task->wedge, &sight.same, sight.shortest)) return TDSP_OK;
+    geom_pair pair = pair_make(own, goal);
+    if (!sight.is_apart) return task_try_roots(task, &pair, ENGINE_GOAL, task->wedge.motion.side);
+    return task_try(task, &pair, ENGINE_GOAL, task->wedge.motion.side, 1, 1);
 }
 
 /* Is every path by way of the disc too late? */
@@ -100,8 +115,8 @@ static tdsp_status task_visit(leave_task *task, uint32_t k, double bearing)
     double distance = point_distance(disc->center, own->center);
     if (distance <= SAME_CENTER * (task->wedge.widest + disc_radius(disc, task->wedge.motion.start))) {
         geom_pair pair = pair_make(own, disc);
-        tdsp_status status = task_try_roots(task, &pair, k, side, 0);
-        return status == TDSP_OK ? task_try_roots(task, &pair, k, -side, 0) : status;
+        tdsp_status status = task_try_roots(task, &pair, k, side);
+        return status == TDSP_OK ? task_try_roots(task, &pair, k, -side) : status;
     }
     if (!wedge_look_at_disc(&task->wedge, disc, distance, bearing, &sight)) return TDSP_OK;
     int shows_same = wedge_shows(&task->wedge, &sight.same, sight.shortest);
@@ -110,10 +125,10 @@ static tdsp_status task_visit(leave_task *task, uint32_t k, double bearing)
     tdsp_status status = TDSP_OK;
     if (shows_same || shows_other || second_roots) {
         geom_pair pair = pair_make(own, disc);
-        if (shows_same) status = task_try(task, &pair, k, side, 1);
-        if (shows_other && status == TDSP_OK) status = task_try(task, &pair, k, -side, 1);
-        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, side, -1);
-        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, -side, -1);
+        if (shows_same) status = task_try(task, &pair, k, side, 1, sight.is_apart);
+        if (shows_other && status == TDSP_OK) status = task_try(task, &pair, k, -side, 1, sight.is_apart);
+        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, side, -1, 0);
+        if (second_roots && status == TDSP_OK) status = task_try(task, &pair, k, -side, -1, 0);
     }
     if (status == TDSP_OK && !*task->done) wedge_cover(&task->wedge, disc, &sight);
     return status;
@@ -214,8 +229,7 @@ tdsp_status leaves_push(disc_engine *engine, uint32_t ride, double from, double 
     geom_ride motion = engine_ride_motion(engine, &engine->rides[ride], from, to);
     task_init(&task, engine, ride, engine->rides[ride].disc, done);
     wedge_of_chunk(&task.wedge, &motion, fmax(engine_true_time(engine, from), engine_true_time(engine, to)), engine->rate_max);
-    geom_pair to_goal = pair_make(motion.disc, &engine->goal);
-    tdsp_status status = task_try_roots(&task, &to_goal, ENGINE_GOAL, motion.side, to_goal.distance > task.wedge.widest * (1.0 + GEOM_CONTACT));
+    tdsp_status status = task_try_goal(&task);
     if (status == TDSP_OK) status = neighbours_of_disc(engine->around, &engine->scene->allocator, task.self, &task.place);
     if (status != TDSP_OK || *done) return status;
     wedge_set_limit(&task.wedge, engine->question.goal, engine->limit);
@@ -231,7 +245,7 @@ tdsp_status leaves_push_start(disc_engine *engine, int *done)
     task_init(&task, engine, ENGINE_NONE, INDEX_NONE, done);
     wedge_of_sector(&task.wedge, &motion, 0.0, half_angle, engine_true_time(engine, time), engine->rate_max);
     geom_pair to_goal = pair_make(&start, &engine->goal);
-    tdsp_status status = task_try(&task, &to_goal, ENGINE_GOAL, 1, 1);
+    tdsp_status status = task_try(&task, &to_goal, ENGINE_GOAL, 1, 1, 1);
     if (status == TDSP_OK) status = neighbours_of_point(engine->around, &engine->scene->allocator, start.center, &task.place);
     for (int i = 0; i < SECTORS && status == TDSP_OK && !*done; ++i) {
         wedge_of_sector(&task.wedge, &motion, angle_wrap((2 * i + 1) * half_angle), half_angle, engine_true_time(engine, time), engine->rate_max);

@@ -13,8 +13,8 @@
 
 /* How all discs are to be asked. */
 typedef enum relax_stage {
-    RELAX_SCOUTED, /* scouts go first, and the answer may be TDSP_NO_ANSWER when they are lost */
-    RELAX_LAST     /* whatever it costs */
+    RELAX_LAST,   /* whatever it costs */
+    RELAX_SCOUTED /* scouts go first, and the answer may be TDSP_NO_ANSWER when they are lost */
 } relax_stage;
 
 typedef struct relaxation {

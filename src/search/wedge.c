@@ -117,16 +117,18 @@ int wedge_look_at_block(const look_wedge *self, const neighbour_block *block, in
     return count;
 }
 
-/* Where |k| > 1 at both ends, by more than rounding, there is no leg: the range is empty then. */
+/* |k| counts as over 1 by this, and by the rounding of coordinates, which matters beside a pebble. */
 #define TOUCH 1e-9
+#define ROUNDING 1e-14
 
-/* The arc sines of k at both ends, as a range. */
-static wedge_range arc_sines(const look_wedge *self, double cosine, const double radius[2], double distance)
+/* The arc sines of k at both ends, as a range; empty where |k| > 1 at both: then there is no leg. */
+static wedge_range arc_sines(const look_wedge *self, const geom_disc *disc, double cosine, const double radius[2], double distance)
 {
     double first = (self->radius[0] * cosine - radius[0]) / distance, last = (self->radius[1] * cosine - radius[1]) / distance;
-    double least = smaller(first, last), most = larger(first, last);
+    double least = smaller(first, last), most = larger(first, last), over = larger(-1.0 - most, least - 1.0);
     wedge_range none = {INFINITY, -INFINITY}, range = {asin_near(least) - NEAR, asin_near(most) + NEAR};
-    return most < -1.0 - TOUCH || least > 1.0 + TOUCH ? none : range;
+    if (over <= TOUCH) return range;
+    return (over - TOUCH) * distance > ROUNDING * (1.0 + fabs(disc->center.x) + fabs(disc->center.y)) ? none : range;
 }
 
 int wedge_look_at_disc(const look_wedge *self, const geom_disc *disc, double distance, double bearing, wedge_sight *sight)
@@ -139,7 +141,7 @@ int wedge_look_at_disc(const look_wedge *self, const geom_disc *disc, double dis
     if (sight->shortest > self->longest) return 0;
     double direction = wedge_direction(self, bearing), lean = 0.5 * GEOM_PI - disc->theta;
     double both = own->rate * disc->rate, sines = own->sine * disc->sine;
-    wedge_range same = arc_sines(self, both + sines, radius, distance), other = arc_sines(self, both - sines, radius, distance);
+    wedge_range same = arc_sines(self, disc, both + sines, radius, distance), other = arc_sines(self, disc, both - sines, radius, distance);
     sight->same.from = direction + same.from - lean;
     sight->same.to = direction + same.to - lean;
     sight->other.from = direction - other.to + lean;

@@ -55,6 +55,8 @@ typedef struct tdsp_build_options {
     void *run_tasks_ctx;
     const tdsp_oracle *workers; /* one oracle a worker, equal in what they declare and answer; NULL: only the oracle given */
     size_t worker_count;
+    double oracle_share; /* adaptive sampling, with an oracle that has earliest_arrival_within: how much of the guarantee it may take
+                            up, 0 to 0.9; 0: exact answers only */
 } tdsp_build_options;
 
 /** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread. Since 0.1. */
@@ -64,10 +66,12 @@ TDSP_API void tdsp_build_options_init(tdsp_build_options *options);
 typedef struct tdsp_build_report {
     uint64_t rows;          /* departures in the table, the first at 0 */
     uint64_t bytes;         /* of the table */
-    uint64_t forward_calls; /* calls of earliest_arrival */
-    uint64_t reverse_calls; /* calls of latest_departure */
+    uint64_t forward_calls; /* calls of earliest_arrival and earliest_arrival_within */
+    uint64_t reverse_calls; /* calls of latest_departure and latest_departure_between */
     double last_departure;  /* the end of the table's domain */
     tdsp_status last_reason; /* why there is no answer after it; TDSP_HORIZON where the horizon ended it */
+    double oracle_delta;    /* what earliest_arrival_within was asked for; 0: exact answers only */
+    uint64_t rough_calls;   /* forward calls that were answered by a path not known to be the best */
 } tdsp_build_report;
 
 /**

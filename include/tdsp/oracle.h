@@ -43,12 +43,22 @@ typedef struct tdsp_oracle {
      * infinite: the last departure of all, infinite when there is none. NULL: the sampler inverts earliest_arrival. */
     tdsp_status (*latest_departure)(void *ctx, double arrival, double *departure);
 
-    /* The path of the last earliest_arrival that returned TDSP_OK. NULL: rows carry no path. */
+    /* The path of the last answer with an arrival that returned TDSP_OK. NULL: rows carry no path. */
     tdsp_status (*path)(void *ctx, tdsp_oracle_path *out);
 
     /* Why departures end at `departure`, the last one that earliest_arrival answered: one of its four reasons. NULL: the reason
      * that earliest_arrival gives after it. */
     tdsp_status (*last_reason)(void *ctx, double departure, tdsp_status *reason);
+
+    /* A path and how good the best can be: lower <= A(departure) <= arrival, both up to the stated error, and
+     * arrival - departure <= (1 + delta) (lower - departure); statuses as earliest_arrival, and path() hands out this path. delta is from 0 to
+     * 1. For tables (tdsp_build_options.oracle_share). NULL: every answer is exact. */
+    tdsp_status (*earliest_arrival_within)(void *ctx, double departure, double delta, double *arrival, double *lower);
+
+    /* latest_departure where it is known that A(after) <= arrival < A(before): TDSP_OK, *departure from `after` up to `before`, and
+     * *arrives = A(*departure) with its path for path(), which are both not looked at when the answer is `after` itself. For oracles that
+     * can make use of it, beside latest_departure; NULL: latest_departure is asked. */
+    tdsp_status (*latest_departure_between)(void *ctx, double arrival, double after, double before, double *departure, double *arrives);
 } tdsp_oracle;
 
 /** All members to their defaults. Since 0.1. */

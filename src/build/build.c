@@ -16,6 +16,8 @@
 #define MIN_EPSILON 1e-9
 #define MAX_EPSILON 1.0
 #define MAX_ERROR 0.1
+#define MAX_SHARE 0.9
+#define SHARE 0.5
 #define UNIT_BYTES 15u
 
 void tdsp_oracle_init(tdsp_oracle *oracle)
@@ -32,7 +34,8 @@ void tdsp_build_options_init(tdsp_build_options *options)
                                     .sampling = TDSP_SAMPLING_ADAPTIVE,
                                     .epsilon = 0.01,
                                     .horizon = INFINITY,
-                                    .max_rows = TDSP_MAX_ROWS};
+                                    .max_rows = TDSP_MAX_ROWS,
+                                    .oracle_share = SHARE};
 }
 
 static int oracle_is_valid(const tdsp_oracle *oracle)
@@ -48,7 +51,8 @@ static int worker_is_valid(const tdsp_oracle *worker, const tdsp_oracle *oracle)
 {
     return oracle_is_valid(worker) && worker->monotone == oracle->monotone && worker->error == oracle->error &&
            worker->time_scale == oracle->time_scale && !worker->latest_departure == !oracle->latest_departure &&
-           !worker->path == !oracle->path;
+           !worker->path == !oracle->path && !worker->earliest_arrival_within == !oracle->earliest_arrival_within &&
+           !worker->latest_departure_between == !oracle->latest_departure_between;
 }
 
 static int workers_are_valid(const tdsp_build_options *options, const tdsp_oracle *oracle)
@@ -92,7 +96,7 @@ static int options_are_valid(const tdsp_build_options *options, const tdsp_oracl
 {
     if (!options || options->size != sizeof *options) return 0;
     int sampling = options->sampling == TDSP_SAMPLING_ADAPTIVE || options->sampling == TDSP_SAMPLING_GEOMETRIC;
-    int limits = options->horizon >= 0 && options->max_rows >= 1 && options->max_rows <= TDSP_MAX_ROWS;
+    int limits = options->oracle_share >= 0 && options->oracle_share <= MAX_SHARE && options->horizon >= 0 && options->max_rows >= 1 && options->max_rows <= TDSP_MAX_ROWS;
     return sampling && limits && bound_is_valid(options) && world_is_valid(&options->world) && workers_are_valid(options, oracle);
 }
 
@@ -109,11 +113,29 @@ static int first_is_certified(const sampler *s)
     return sample_fits(first, rows_cap(s->options, s->monotone, 0, first->lower));
 }
 
+/* May answers be rough? Monotone in arrival, rows of the guarantee arrival end as near under their caps as the noise allows. */
+static int may_be_rough(const sampler *s)
+{
+    int settles = s->monotone == TDSP_MONOTONE_ARRIVAL && s->options->guarantee == TDSP_GUARANTEE_ARRIVAL;
+    return s->probe.oracle->earliest_arrival_within && s->options->sampling == TDSP_SAMPLING_ADAPTIVE && !settles;
+}
+
+/* The oracle's part of a relative guarantee, or of an absolute one for travel times up to `travel`. */
+static double oracle_delta(const sampler *s, double travel)
+{
+    const tdsp_build_options *options = s->options;
+    if (!may_be_rough(s)) return 0;
+    if (options->guarantee != TDSP_GUARANTEE_ABSOLUTE) return options->oracle_share * options->epsilon;
+    return travel > 0 ? fmin(options->oracle_share * options->delta / travel, 1) : 0;
+}
+
 static tdsp_status place_rows(sampler *s)
 {
+    s->probe.delta = oracle_delta(s, 0);
     tdsp_status status = domain_find(&s->domain, &s->probe, s->options->horizon);
     if (status != TDSP_OK) return status;
     if (!first_is_certified(s)) return TDSP_NOT_SUPPORTED;
+    s->probe.delta = oracle_delta(s, probe_travel_upper(&s->probe, &s->domain.last));
     s->probe.all = s->domain.last.departure;
     return s->options->sampling == TDSP_SAMPLING_GEOMETRIC ? sampler_geometric(s) : sampler_adaptive(s);
 }
@@ -141,7 +163,9 @@ static tdsp_build_report report_of(const sampler *s, size_t length)
                                .forward_calls = s->probe.forward_calls,
                                .reverse_calls = s->probe.reverse_calls,
                                .last_departure = s->domain.last.departure,
-                               .last_reason = s->domain.reason};
+                               .last_reason = s->domain.reason,
+                               .oracle_delta = s->probe.delta,
+                               .rough_calls = s->probe.rough_calls};
 }
 
 static tdsp_status sample_and_write(sampler *s, void **bytes, size_t *length)

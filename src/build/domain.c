@@ -172,7 +172,7 @@ static tdsp_status end_at_horizon(domain *d, probe *p)
     kept_path_swap(&d->last_path, &p->path);
     double next = round_next_up(d->last.departure);
     sample after;
-    tdsp_status status = isfinite(next) ? probe_forward(p, next, &after) : TDSP_OK;
+    tdsp_status status = isfinite(next) ? probe_roughly(p, next, &after) : TDSP_OK;
     if (status != TDSP_OK) return status;
     if (isfinite(next) && after.status != TDSP_OK) return find_reason(d, p, &after);
     d->right = isfinite(next) ? fmax(after.lower, d->last.lower) : d->last.lower;
@@ -184,7 +184,7 @@ static tdsp_status find_end(domain *d, probe *p, double horizon)
 {
     sample s = {.departure = INFINITY, .status = TDSP_UNREACHABLE};
     if (isinf(horizon)) return end_by_oracle(d, p, s);
-    tdsp_status status = probe_forward(p, horizon, &s);
+    tdsp_status status = probe_roughly(p, horizon, &s);
     if (status != TDSP_OK) return status;
     if (s.status != TDSP_OK) return end_by_oracle(d, p, s);
     status = keep_low(d, p, &s);
@@ -194,7 +194,7 @@ static tdsp_status find_end(domain *d, probe *p, double horizon)
 tdsp_status domain_find(domain *d, probe *p, double horizon)
 {
     *d = (domain){.first_path = kept_path_none(), .last_path = kept_path_none()};
-    tdsp_status status = probe_forward(p, 0, &d->first);
+    tdsp_status status = probe_roughly(p, 0, &d->first);
     if (status != TDSP_OK) return status;
     if (d->first.status != TDSP_OK) return d->first.status;
     status = keep_low(d, p, &d->first);

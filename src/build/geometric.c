@@ -81,11 +81,14 @@ static tdsp_status take_targets(geometric *g)
 }
 
 /* Where the oracle can be asked backwards, its answer is the place to begin. */
-static tdsp_status seed_of(probe *p, inversion *goal)
+static tdsp_status seed_of(probe *p, const bracket *b, inversion *goal)
 {
     goal->seed = NAN;
     goal->asked = goal->cap - ASKED * probe_margin(p, goal->cap);
-    return p->oracle->latest_departure ? probe_reverse(p, goal->asked, &goal->seed) : TDSP_OK;
+    if (!p->oracle->latest_departure) return TDSP_OK;
+    tdsp_status status = probe_reverse_between(p, goal->asked, &b->low, &b->high, &goal->answer, &goal->seed_is_known);
+    goal->seed = goal->answer.departure;
+    return status;
 }
 
 static tdsp_status solve(const geometric *g, probe *p, slot *out)
@@ -97,10 +100,10 @@ static tdsp_status solve(const geometric *g, probe *p, slot *out)
                       .room = out->target - g->batch_base.ceiling,
                       .anchor = -INFINITY,
                       .after = g->batch_base.departure};
-    tdsp_status status = seed_of(p, &goal);
+    out->bracket = (bracket){.low = g->batch_base, .high = g->sampler->domain.last};
+    tdsp_status status = seed_of(p, &out->bracket, &goal);
     if (status != TDSP_OK) return status;
     trail t = g->batch_trail;
-    out->bracket = (bracket){.low = g->batch_base, .high = g->sampler->domain.last};
     p->path.departure = -1;
     status = invert(p, &goal, &t, &out->bracket);
     int is_row = out->bracket.low.departure > g->sampler->rows.held.departure;

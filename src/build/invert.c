@@ -13,6 +13,7 @@
  *   gallop   from a reverse answer at a jump, whose distance to the forward function's own jump is the oracle's error: upwards a few
  *            errors first, then growing steps; downwards, and where no error is stated, the next double first. A jump farther away
  *            than the error is another one.
+ *   rough    while it steers, answers need only be near (probe_roughly()); once a jump is suspected, and after a few calls, they are exact.
  *   seal     a gallop has crossed the jump: one more reverse call certifies the value right after it (seal.h), and the bracket need not
  *            be narrowed. Where that fails, halving to neighbouring doubles settles it.
  */
@@ -33,6 +34,7 @@
 #define SEALS 3u       /* a row */
 #define STALLED 2u
 #define EARLY 2u /* reversals that need no two steps in vain */
+#define ROUGH 6u /* calls of a row that need not be exact */
 #define FAR_RATIO 4
 #define PATIENCE 8u /* halvings towards 0 before the bits are halved instead */
 
@@ -48,6 +50,8 @@ typedef struct hunt {
     double reach; /* the next distance of a gallop */
     double seed;
     double asked; /* the arrival whose latest departure the seed is */
+    int is_known; /* `answer` is what a reverse call said of its departure, whose path the oracle still has */
+    sample answer;
     seal known;   /* from sealing */
     unsigned seals;
     unsigned calls;
@@ -70,7 +74,7 @@ int bracket_is_closed(const bracket *b)
 /* How far under the cap a row may end at s. Nothing under the sample's own margin can be told from noise. */
 static double tolerance(const inversion *goal, const sample *s)
 {
-    double asked = fmin(goal->slack, s->departure - goal->anchor);
+    double asked = fmin(goal->slack, s->departure - goal->anchor - (s->value - s->lower));
     return fmax(asked, s->ceiling - s->value);
 }
 
@@ -183,15 +187,14 @@ static tdsp_status ask_reverse(hunt *h, double *t)
     *t = midpoint(h);
     double arrival = may_reverse(h) ? arrival_inside_jump(h) : NAN;
     if (isnan(arrival)) return TDSP_OK;
-    double found;
     h->missed = 0;
-    tdsp_status status = probe_reverse(h->probe, arrival, &found);
+    tdsp_status status = probe_reverse_between(h->probe, arrival, &h->bracket->low, &h->bracket->high, &h->answer, &h->is_known);
     if (status != TDSP_OK) return status;
     h->reversals++;
     h->gait = SEEDED;
     h->asked = arrival;
-    *t = found;
-    if (found > h->bracket->low.departure) return TDSP_OK;
+    *t = h->answer.departure;
+    if (*t > h->bracket->low.departure) return TDSP_OK;
     gallop_from_low(h);
     *t = gallop(h);
     return TDSP_OK;
@@ -303,20 +306,33 @@ static tdsp_status learn(hunt *h, const sample *s)
     return TDSP_OK;
 }
 
+static tdsp_status ask(hunt *h, double departure, sample *out)
+{
+    if (h->is_known && h->answer.departure == departure) {
+        *out = h->answer;
+        return TDSP_OK;
+    }
+    int is_rough = h->gait == STEADY && h->calls < ROUGH && h->reversals == 0;
+    return is_rough ? probe_roughly(h->probe, departure, out) : probe_forward(h->probe, departure, out);
+}
+
 static tdsp_status step(hunt *h)
 {
     const bracket *b = h->bracket;
     double departure;
     sample s;
     tdsp_status status = choose(h, &departure);
-    if (status != TDSP_OK) return status;
-    status = probe_between(h->probe, &b->low, &b->high, clamped(b, departure), &s);
+    if (status == TDSP_OK) status = ask(h, clamped(b, departure), &s);
+    h->is_known = 0;
+    if (status == TDSP_OK) status = probe_order(h->probe, &b->low, &b->high, &s);
     return status == TDSP_OK ? learn(h, &s) : status;
 }
 
 tdsp_status invert(probe *p, const inversion *goal, trail *t, bracket *b)
 {
     hunt h = {.probe = p, .goal = goal, .trail = t, .bracket = b, .seed = goal->seed, .asked = goal->asked, .known = {NAN, NAN}};
+    h.is_known = goal->seed_is_known;
+    h.answer = goal->answer;
     h.gait = isnan(goal->seed) ? STEADY : SEEDED;
     if (b->low.beyond > (b->low.value + goal->cap) / 2) gallop_from_low(&h);
     b->jumps = 0;

@@ -18,6 +18,8 @@ typedef struct inversion {
         give; /* how far the bound right after a jump may lie under the value that shows the jump; 0: settle each jump to doubles */
     double seed; /* a departure to try first, which the oracle answered to `asked`; NaN for none */
     double asked;
+    int seed_is_known; /* `answer` is the sample at the seed, and the oracle still has its path */
+    sample answer;
     unsigned reversals; /* how often oracle->latest_departure may be asked */
 } inversion;
 

@@ -28,7 +28,8 @@ static sample sample_without_way(double departure, tdsp_status why)
     return (sample){departure, INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, why};
 }
 
-static sample sample_of(const probe *p, double departure, double arrival)
+/* There is a path that arrives at `arrival`, and none that arrives before `earliest`: equal where the answer is exact. */
+static sample sample_of(const probe *p, double departure, double earliest, double arrival)
 {
     double travel = arrival - departure;
     double value = p->by_arrival ? arrival : travel;
@@ -36,7 +37,8 @@ static sample sample_of(const probe *p, double departure, double arrival)
     double e = travel > 0 ? noise(p->oracle, travel, arrival) : 0;
     double upper = value + e;
     double ceiling = travel > 0 ? upper + COMPARING * arrival : upper;
-    return (sample){departure, value, fmax(value - e, least), upper, ceiling, value, TDSP_OK};
+    double lower = p->by_arrival ? earliest : earliest - departure;
+    return (sample){departure, value, fmax(lower - e, least), upper, ceiling, value, TDSP_OK};
 }
 
 int probe_means_no_way(tdsp_status status)
@@ -56,6 +58,19 @@ tdsp_status probe_report_progress(const probe *p)
     return p->progress && p->progress(p->progress_ctx, p->settled, p->all) != 0 ? TDSP_CANCELLED : TDSP_OK;
 }
 
+/* The answer as the oracle gave it. */
+static tdsp_status take_answer(const probe *p, tdsp_status answer, double departure, double earliest, double arrival, sample *out)
+{
+    if (probe_means_no_way(answer)) {
+        *out = sample_without_way(departure, answer);
+        return TDSP_OK;
+    }
+    if (answer != TDSP_OK) return error_of(answer);
+    if (!(arrival >= earliest) || !(earliest >= departure) || !isfinite(arrival)) return TDSP_BAD_ORACLE;
+    *out = sample_of(p, departure, earliest, arrival);
+    return TDSP_OK;
+}
+
 tdsp_status probe_forward(probe *p, double departure, sample *out)
 {
     tdsp_status status = probe_report_progress(p);
@@ -63,20 +78,30 @@ tdsp_status probe_forward(probe *p, double departure, sample *out)
     double arrival = NAN;
     p->forward_calls++;
     status = p->oracle->earliest_arrival(p->oracle->ctx, departure, &arrival);
-    if (probe_means_no_way(status)) {
-        *out = sample_without_way(departure, status);
-        return TDSP_OK;
-    }
-    if (status != TDSP_OK) return error_of(status);
-    if (!(arrival >= departure) || !isfinite(arrival)) return TDSP_BAD_ORACLE;
-    *out = sample_of(p, departure, arrival);
-    return TDSP_OK;
+    return take_answer(p, status, departure, arrival, arrival, out);
+}
+
+tdsp_status probe_roughly(probe *p, double departure, sample *out)
+{
+    if (!(p->delta > 0)) return probe_forward(p, departure, out);
+    tdsp_status status = probe_report_progress(p);
+    if (status != TDSP_OK) return status;
+    double arrival = NAN, earliest = NAN;
+    p->forward_calls++;
+    status = p->oracle->earliest_arrival_within(p->oracle->ctx, departure, p->delta, &arrival, &earliest);
+    if (status == TDSP_OK && earliest < arrival) p->rough_calls++;
+    return take_answer(p, status, departure, earliest, arrival, out);
+}
+
+double probe_arrival(const probe *p, const sample *s)
+{
+    return p->by_arrival ? s->value : s->departure + s->value;
 }
 
 double probe_blur(const probe *p, const sample *s)
 {
     if (!isfinite(s->value)) return BLUR * noise(p->oracle, s->departure, s->departure);
-    double arrival = p->by_arrival ? s->value : s->departure + s->value;
+    double arrival = probe_arrival(p, s);
     return BLUR * noise(p->oracle, arrival, arrival);
 }
 
@@ -92,19 +117,15 @@ static sample at(const sample *numbers, double departure)
     return s;
 }
 
-tdsp_status probe_between(probe *p, const sample *low, const sample *high, double departure, sample *out)
+tdsp_status probe_order(const probe *p, const sample *low, const sample *high, sample *s)
 {
-    sample s;
-    tdsp_status status = probe_forward(p, departure, &s);
-    if (status != TDSP_OK) return status;
-    if (s.upper < low->lower) {
-        if (departure - low->departure > probe_blur(p, low)) return TDSP_BAD_ORACLE;
-        s = at(low, departure);
-    } else if (s.lower > high->upper) {
-        if (high->departure - departure > probe_blur(p, high)) return TDSP_BAD_ORACLE;
-        s = at(high, departure);
+    if (s->upper < low->lower) {
+        if (s->departure - low->departure > probe_blur(p, low)) return TDSP_BAD_ORACLE;
+        *s = at(low, s->departure);
+    } else if (s->lower > high->upper) {
+        if (high->departure - s->departure > probe_blur(p, high)) return TDSP_BAD_ORACLE;
+        *s = at(high, s->departure);
     }
-    *out = s;
     return TDSP_OK;
 }
 
@@ -122,6 +143,28 @@ tdsp_status probe_reverse(probe *p, double arrival, double *departure)
     if (!(t >= 0) || (isinf(t) && isfinite(arrival))) return TDSP_BAD_ORACLE;
     *departure = t;
     return TDSP_OK;
+}
+
+/* What the samples say of the question, where the oracle asks for it. */
+static int is_between(const probe *p, double arrival, const sample *low, const sample *high)
+{
+    return p->oracle->latest_departure_between && probe_arrival(p, low) <= arrival && arrival < probe_arrival(p, high);
+}
+
+tdsp_status probe_reverse_between(probe *p, double arrival, const sample *low, const sample *high, sample *out, int *known)
+{
+    *known = 0;
+    if (!is_between(p, arrival, low, high)) return probe_reverse(p, arrival, &out->departure);
+    tdsp_status status = probe_report_progress(p);
+    if (status != TDSP_OK) return status;
+    double t = NAN, arrives = NAN;
+    p->reverse_calls++;
+    status = p->oracle->latest_departure_between(p->oracle->ctx, arrival, low->departure, high->departure, &t, &arrives);
+    if (status != TDSP_OK) return error_of(status);
+    if (!(t >= low->departure && t <= high->departure)) return TDSP_BAD_ORACLE;
+    out->departure = t;
+    *known = t > low->departure && t < high->departure;
+    return *known ? take_answer(p, TDSP_OK, t, arrives, arrives, out) : TDSP_OK;
 }
 
 tdsp_status probe_keep_path(probe *p, const sample *s)

@@ -6,7 +6,7 @@
  *
  *     noise(t) = error / (1 - error) * (T + time_scale) + 2^-50 A
  *
- * of the truth: the first term is the stated error with the computed T in place of the true one, |T' - T| <= error (T + scale) giving
+ * of the truth (at either end of what it says, where it leaves an interval open): the first term is the stated error with the computed T in place of the true one, |T' - T| <= error (T + scale) giving
  * T + scale <= (T' + scale) / (1 - error); the second is eight half units of rounding of A, for the oracle's own sum, for the
  * subtraction that makes T, and for the sum that a reader of the table makes. An arrival equal to its departure is exact.
  */
@@ -37,7 +37,9 @@ typedef struct probe {
     void *progress_ctx;
     double settled; /* for progress */
     double all;
+    double delta; /* of the travel time: what probe_roughly() leaves to the oracle; 0 for exact answers everywhere */
     uint64_t forward_calls;
+    uint64_t rough_calls; /* of these: answered by less than an exact arrival */
     uint64_t reverse_calls;
     kept_path path; /* of the last sample that was kept */
 } probe;
@@ -49,20 +51,32 @@ void probe_release(probe *p);
 /* Ask for A(departure). TDSP_OK also when there is no way; TDSP_BAD_ORACLE for NaN, infinity or an arrival before the departure. */
 tdsp_status probe_forward(probe *p, double departure, sample *out);
 
+/* The same, but where the oracle can and p->delta lets it, the answer may be a path that is not the best for certain and a lower bound. */
+tdsp_status probe_roughly(probe *p, double departure, sample *out);
+
 /*
- * The same for a departure between two samples, which must be in order with it: TDSP_BAD_ORACLE when the value falls by more than the
+ * Bring a sample into order with those around it: TDSP_BAD_ORACLE when the value falls by more than the
  * noise. Within probe_blur() of a jump an oracle may take the wrong side; there the sample takes its neighbour's numbers.
  */
-tdsp_status probe_between(probe *p, const sample *low, const sample *high, double departure, sample *out);
+tdsp_status probe_order(const probe *p, const sample *low, const sample *high, sample *s);
 
 /* sup { t : A(t) <= arrival }; 0 when the arrival is too early. Only where the oracle can; only after A(0) was answered. */
 tdsp_status probe_reverse(probe *p, double arrival, double *departure);
 
-/* Keep the path of the last probe_forward() in p->path, where the oracle has paths. */
+/*
+ * The same for an arrival between those of two samples, which the oracle may make use of. Where it can it also hands out the answer at
+ * that departure, as probe_forward() would, and the path: *known is 1 then, else only out->departure is set.
+ */
+tdsp_status probe_reverse_between(probe *p, double arrival, const sample *low, const sample *high, sample *out, int *known);
+
+/* Keep the path of the last answer in p->path, where the oracle has paths. */
 tdsp_status probe_keep_path(probe *p, const sample *s);
 
 /* Is this a reason why there is no way? */
 int probe_means_no_way(tdsp_status status);
+
+/* The arrival that a sample stands for. */
+double probe_arrival(const probe *p, const sample *s);
 
 /* How far a jump may seem displaced. */
 double probe_blur(const probe *p, const sample *s);

@@ -26,7 +26,8 @@ tdsp_status sampler_recall_path(probe *p, sample *s, double cap)
 {
     if (p->path.departure == s->departure) return TDSP_OK;
     sample again;
-    tdsp_status status = probe_forward(p, s->departure, &again);
+    tdsp_status status = probe_roughly(p, s->departure, &again);
+    if (status == TDSP_OK && !(again.upper <= cap)) status = probe_forward(p, s->departure, &again);
     if (status != TDSP_OK) return status;
     if (!(again.upper <= cap)) return TDSP_BAD_ORACLE;
     s->upper = fmax(s->upper, again.upper);

@@ -27,24 +27,19 @@ static double noise_of(const sample *s)
     return s->upper - s->value;
 }
 
-static double arrival_of(const probe *p, const sample *s)
-{
-    return p->by_arrival ? s->value : s->departure + s->value;
-}
-
 /* How far from a jump its stated place may be; 0 where no error is stated. */
 static double reach_of(const probe *p, const sample *high)
 {
-    return p->oracle->error * (arrival_of(p, high) - high->departure + p->oracle->time_scale);
+    return p->oracle->error * (probe_arrival(p, high) - high->departure + p->oracle->time_scale);
 }
 
 /* The arrival to ask for, or NaN when what is given away is too much, or when `low` itself may arrive by then. */
 static double question(const probe *p, const sample *low, const sample *high, double slope, double give)
 {
     double width = high->departure - low->departure;
-    double arrival = arrival_of(p, high) - (1 + slope) * width - noise_of(high);
+    double arrival = probe_arrival(p, high) - (1 + slope) * width - noise_of(high);
     double given = (p->by_arrival ? 1 + slope : slope) * width + 2 * noise_of(high);
-    int usable = given <= give && arrival > arrival_of(p, low) + noise_of(low);
+    int usable = given <= give && arrival > probe_arrival(p, low) + noise_of(low);
     return usable ? arrival : NAN;
 }
 
@@ -59,12 +54,13 @@ tdsp_status seal_ask(probe *p, const sample *low, const sample *high, double slo
     for (int tries = 0; tries < 2; tries++) {
         double arrival = question(p, low, high, slope, give);
         if (isnan(arrival)) return TDSP_OK;
-        double found;
-        tdsp_status status = probe_reverse(p, arrival, &found);
+        sample found;
+        int known;
+        tdsp_status status = probe_reverse_between(p, arrival, low, high, &found, &known);
         if (status != TDSP_OK) return status;
-        *out = (seal){found, arrival};
-        if (!is_between(found, low, high)) return TDSP_OK;
-        slope = STEEPER * (arrival_of(p, high) - arrival) / (high->departure - found) - 1;
+        *out = (seal){found.departure, arrival};
+        if (!is_between(found.departure, low, high)) return TDSP_OK;
+        slope = STEEPER * (probe_arrival(p, high) - arrival) / (high->departure - found.departure) - 1;
     }
     return TDSP_OK;
 }

@@ -41,6 +41,8 @@ typedef struct latest_state {
     double arrives;  /* A(best) */
     double too_late; /* the earliest departure known to arrive after a */
     const gap_event *gap; /* the event that the best path passes, if that is what it is */
+    double known_good; /* what the asker knows: this departure arrives by a; negative: nothing known ... */
+    double known_late; /* ... and this one does not */
 } latest_state;
 
 static double latest_slack(const latest_state *state, double share)
@@ -89,8 +91,8 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
     int lost = 0;
     tdsp_status status = TDSP_OK;
     if (state->set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED) status = engine_scout(&solver->engine, &ask, &lost);
-    if (lost) return TDSP_NO_ANSWER;
-    if (status == TDSP_OK) status = engine_run(&solver->engine, state->set, &ask);
+    if (lost && solver->engine.gave_up) return TDSP_NO_ANSWER;
+    if (status == TDSP_OK && !lost) status = engine_run(&solver->engine, state->set, &ask);
     *departure = -1.0;
     if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);
     return status;
@@ -107,7 +109,7 @@ static engine_question reverse_question(const tdsp_scene *scene, double time, do
 static tdsp_status latest_from_destination(latest_state *state)
 {
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = reverse_question(scene, state->arrival / scene->time, 0.0);
+    engine_question question = reverse_question(scene, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
     double departure;
     tdsp_status status = latest_reverse(state, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
@@ -217,7 +219,10 @@ static tdsp_status latest_search(latest_state *state)
     return status == TDSP_OK ? latest_prove(state) : status;
 }
 
-/* The question among the discs of a set; the engine is left with the path of the best departure. */
+/*
+ * The question among the discs of a set. Among some of them only, whose path says what else matters, the engine is left with the path of the
+ * best departure. What arrives by a among all discs does so among fewer; what does not may.
+ */
 static tdsp_status ask_latest(void *ctx, const disc_set *set)
 {
     latest_state *state = ctx;
@@ -225,12 +230,14 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     double arrives;
     state->set = set;
     solver->work = state->before;
-    state->best = state->arrives = -1.0;
+    state->best = state->known_good;
+    state->arrives = -1.0;
     state->too_late = state->arrival + latest_slack(state, PROOF_STEP); /* the journey takes some time */
+    if (set == &solver->scene->all) state->too_late = fmin(state->too_late, state->known_late);
     state->gap = NULL;
     tdsp_status status = latest_search(state);
     solver->engine.arrived = ENGINE_NONE;
-    if (status != TDSP_OK || state->best < 0.0) return status;
+    if (status != TDSP_OK || state->best < 0.0 || set == &solver->scene->all) return status;
     --solver->work.forward_searches; /* this one only looks again at what is known */
     status = solver_forward(solver, set, state->best, INFINITY, &arrives);
     return tdsp_status_is_answer(status) ? TDSP_OK : status;
@@ -249,12 +256,13 @@ static tdsp_status latest_still(latest_state *state, double arrival)
     return TDSP_OK;
 }
 
-/* The state after the search; best < 0 when there is no departure. */
-static tdsp_status latest_run(tdsp_solver *solver, double arrival, latest_state *state)
+/* The state after the search; best < 0 when there is no departure. `after` and `before` are what is known already. */
+static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after, double before, latest_state *state)
 {
     const tdsp_scene *scene = solver->scene;
     double straight = point_distance(scene->source, scene->destination) * scene->time;
-    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, scene->destination_cover.time), -1.0, -1.0, INFINITY, NULL};
+    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, scene->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
+                          after, before};
     *state = start;
     solver->has_path = 0;
     if (scene_is_still(scene)) return latest_still(state, arrival);
@@ -302,7 +310,7 @@ tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *d
 {
     if (!solver || !departure || !(arrival >= 0.0)) return TDSP_INVALID_ARGUMENT;
     latest_state state;
-    tdsp_status status = latest_run(solver, arrival, &state);
+    tdsp_status status = latest_run(solver, arrival, -1.0, INFINITY, &state);
     if (status != TDSP_OK) return status;
     if (state.best < 0.0) {
         status = latest_refuse(solver, arrival);
@@ -312,6 +320,17 @@ tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *d
     if (status != TDSP_OK) return status;
     *departure = state.best;
     if (arrives) *arrives = state.arrives;
+    return TDSP_OK;
+}
+
+tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double after, double before, double *departure, double *arrives)
+{
+    latest_state state;
+    tdsp_status status = latest_run(solver, arrival, after, before, &state);
+    if (status == TDSP_OK && state.best > after) status = latest_confirm(&state);
+    if (status != TDSP_OK) return status;
+    *departure = fmax(state.best, after);
+    *arrives = state.arrives;
     return TDSP_OK;
 }
 
@@ -353,7 +372,7 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
 {
     if (!solver || !out) return TDSP_INVALID_ARGUMENT;
     latest_state state;
-    tdsp_status status = latest_run(solver, INFINITY, &state);
+    tdsp_status status = latest_run(solver, INFINITY, -1.0, INFINITY, &state);
     if (status != TDSP_OK) return status;
     if (state.best < 0.0) return latest_refuse(solver, INFINITY);
     tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, state.arrives, solver->scene->journey.destination};

@@ -7,6 +7,9 @@
 #include "search/gap.h"
 #include "search/reason.h"
 
+/* Chunks of rides after which the oracle does without an exact answer, where it may. */
+#define ORACLE_PATIENCE 20000u
+
 tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
 {
     if (!scene || !out) return TDSP_INVALID_ARGUMENT;
@@ -74,6 +77,7 @@ static tdsp_status solver_run(tdsp_solver *solver, const disc_set *set, engine_q
 {
     int is_scouted = set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED;
     tdsp_status status = is_scouted ? solver_scout(solver, question) : TDSP_OK;
+    if (set == &solver->scene->all) question->patience = solver->patience;
     return status == TDSP_OK && !solver->is_enclosed ? engine_run(&solver->engine, set, question) : status;
 }
 
@@ -167,6 +171,31 @@ static tdsp_status oracle_arrival(void *ctx, double departure, double *arrival)
     return tdsp_earliest_arrival(ctx, departure, arrival);
 }
 
+/*
+ * An exact answer as long as that is cheap. How far the share asked for helps depends on the scene: across some hundred thousand discs the proof
+ * costs a hundred times what finding costs, among crowds and fires nothing. An exact answer leaves a table fewer rows.
+ */
+static tdsp_status oracle_within(void *ctx, double departure, double delta, double *arrival, double *lower)
+{
+    tdsp_solver *solver = ctx;
+    double found = INFINITY;
+    if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
+    solver->patience = ORACLE_PATIENCE;
+    solver->engine.gave_up = 0;
+    tdsp_status status = solver_arrival(solver, departure, &found);
+    solver->patience = 0;
+    int unknown = status == TDSP_CUT_OFF || (tdsp_status_is_answer(status) && solver->engine.gave_up);
+    if (unknown) return tdsp_earliest_arrival_within(solver, departure, delta, arrival, lower);
+    if (status == TDSP_OK) status = route_keep(solver, departure, found);
+    if (tdsp_status_is_answer(status)) *arrival = *lower = found;
+    return status;
+}
+
+static tdsp_status oracle_departure_between(void *ctx, double arrival, double after, double before, double *departure, double *arrives)
+{
+    return solver_departure_between(ctx, arrival, after, before, departure, arrives);
+}
+
 static tdsp_status oracle_departure(void *ctx, double arrival, double *departure)
 {
     return tdsp_latest_departure(ctx, arrival, departure, NULL);
@@ -203,5 +232,7 @@ tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
     out->latest_departure = oracle_departure;
     out->path = oracle_path;
     out->last_reason = oracle_last_reason;
+    out->earliest_arrival_within = oracle_within;
+    out->latest_departure_between = oracle_departure_between;
     return TDSP_OK;
 }

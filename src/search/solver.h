@@ -12,6 +12,7 @@ struct tdsp_solver {
     relaxation relaxation;
     enclosure enclosure;
     int is_enclosed; /* the last forward search found the destination walled in */
+    uint64_t patience; /* of searches among all discs: give up after so many chunks of rides; 0: never */
     tdsp_leg *path; /* of the last answer, in the user's units */
     size_t path_count, path_capacity;
     int has_path;
@@ -34,6 +35,12 @@ double solver_time_of(const tdsp_scene *scene, double departure, double began, d
 
 /* As solver_forward() among all discs, by relaxation. */
 tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival);
+
+/*
+ * tdsp_latest_departure() where A(after) <= arrival < A(before) is known, which leaves it less to search. *arrives and the path are those of
+ * *departure unless that is `after` itself.
+ */
+tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double after, double before, double *departure, double *arrives);
 
 /* Is this time too many journeys away to be answered, in a scene where something grows? */
 int solver_is_far(const tdsp_scene *scene, double time);

@@ -218,7 +218,7 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
 #define PATIENCE_LEAST 48
 
 /* What the scouts weigh the bounds with. */
-static const double SCOUTS[] = {1.2, 1.02};
+static const double SCOUTS[] = {1.2, 1.03};
 
 /* A path's time is rounded: the best path may seem this share of the times at hand later than one that is no better. */
 #define LIMIT_SLACK 1e-12

@@ -11,6 +11,9 @@
 
 #include "search/reason.h"
 
+/* A search that weighs little looks at more than one path across: it has so many times a scout's patience. */
+#define PATIENCE 8u
+
 typedef struct within_question {
     tdsp_solver *solver;
     tdsp_solver_work before; /* the counters when it came in */
@@ -21,12 +24,12 @@ typedef struct within_question {
     tdsp_status answer;
 } within_question;
 
-/* Among all discs: with the patience of a scout first. */
+/* Among all discs: with some patience first. */
 static tdsp_status run_weighted(tdsp_solver *solver, engine_question *question)
 {
     disc_engine *engine = &solver->engine;
     int is_brief = solver->relaxation.stage == RELAX_SCOUTED;
-    question->patience = is_brief ? engine_patience(engine) : 0;
+    question->patience = is_brief ? PATIENCE * engine_patience(engine) : 0;
     tdsp_status status = engine_run(engine, &solver->scene->all, question);
     if (status != TDSP_OK || !engine->gave_up) return status;
     status = enclosure_test(&solver->enclosure, engine, question->time, &solver->is_enclosed);

@@ -26,7 +26,8 @@ static void fill(chunk_world *w, uint32_t count, uint64_t *chance)
     w->set.count = count;
     for (uint32_t i = 0; i < count; ++i) {
         tdsp_point place = point_make(chance_between(chance, -2.0, 2.0), chance_between(chance, -2.0, 2.0));
-        double radius = chance_below(chance, 12) ? chance_between(chance, 1e-3, size) : ldexp(size, -(int)chance_below(chance, 24)); /* a pebble */
+        double radius = chance_below(chance, 12) ? chance_between(chance, 1e-3, size)
+                                                 : ldexp(size, -(int)chance_below(chance, 24)); /* a pebble */
         w->set.forward[i] = disc_make(place, radius, scale * (same >= 0.0 ? same : random_rate(chance)));
         w->set.origin[i] = i;
     }
@@ -81,7 +82,8 @@ void chunk_world_free(chunk_world *w)
 /* One that can be ridden from, at a chunk's start. */
 static int chunk_world_is_good(const chunk_world *w)
 {
-    return w->self == INDEX_NONE || (disc_ridable(w->motion.disc) && disc_radius(w->motion.disc, w->motion.start) > 1e-6 && w->motion.end < 1e3);
+    return w->self == INDEX_NONE ||
+           (disc_ridable(w->motion.disc) && disc_radius(w->motion.disc, w->motion.start) > 1e-6 && w->motion.end < 1e3);
 }
 
 int chunk_sectors(const chunk_world *w)
@@ -95,7 +97,8 @@ look_wedge chunk_wedge(const chunk_world *w, int sector)
     memset(&wedge, 0, sizeof wedge);
     if (w->self != INDEX_NONE) wedge_of_chunk(&wedge, &w->motion, w->late, w->rate);
     double half = GEOM_PI / CHUNK_SECTORS, heading = (2 * sector + 1) * half;
-    if (w->self == INDEX_NONE) wedge_of_sector(&wedge, &w->motion, heading > GEOM_PI ? heading - GEOM_TURN : heading, half, w->late, w->rate);
+    if (w->self == INDEX_NONE)
+        wedge_of_sector(&wedge, &w->motion, heading > GEOM_PI ? heading - GEOM_TURN : heading, half, w->late, w->rate);
     return wedge;
 }
 
@@ -127,7 +130,8 @@ int chunk_legs(const chunk_world *w, chunk_leg legs[4 * CHUNK_MOST])
 {
     int count = 0;
     for (uint32_t disc = 0; disc < w->set.count; ++disc)
-        for (int branch = 0; branch < 4; ++branch) count += chunk_leg_solve(w, disc, branch & 1 ? 1 : -1, branch & 2 ? 1 : -1, &legs[count]);
+        for (int branch = 0; branch < 4; ++branch)
+            count += chunk_leg_solve(w, disc, branch & 1 ? 1 : -1, branch & 2 ? 1 : -1, &legs[count]);
     return count;
 }
 
@@ -149,7 +153,8 @@ geom_line chunk_ray(const chunk_world *w, const look_wedge *wedge, double x, dou
     double turn = w->motion.side * (ride_angle(&w->motion, w->motion.end) - w->motion.angle);
     double ridden = fmin(fmax(x + 0.5 * turn, 0.0), turn);
     double leave = fmin(w->motion.start + spiral_duration(disc, w->motion.start, ridden), w->motion.end);
-    geom_line ray = {ride_position(&w->motion, leave), point_unit(disc_heading(disc, w->motion.side, w->motion.angle + w->motion.side * ridden)), leave, length};
+    geom_line ray = {ride_position(&w->motion, leave),
+                     point_unit(disc_heading(disc, w->motion.side, w->motion.angle + w->motion.side * ridden)), leave, length};
     return ray;
 }
 

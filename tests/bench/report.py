@@ -21,8 +21,7 @@ Worlds of `tdsp generate` in which the unit of thought is the mean spacing, so t
 three spacings' radius around the destination. *fenced*: with a ring half as wide as the scene. Neither has a path, and what is timed is the proof.
 
 - *index*: a scene is made from its discs. *forward*: the first question to a new solver, the earliest arrival for departure 0. *within 1 %*: the same, but the
-  arrival may be later by a hundredth of a lower bound that comes with it. *neighbour*: the earliest
-  arrival for a departure later by a hundredth of the journey than the one asked before. *reverse*: the first question to a new solver, the latest departure for an arrival.
+  travel time may exceed by a hundredth a lower bound that comes with it. *neighbour*: the earliest arrival for a departure later by a hundredth of the journey than the one asked before. *reverse*: the first question to a new solver, the latest departure for an arrival.
 - A series ends where its question took over a second, or at 1,000,000 discs. Exponents *b* of *time ~ n^b* are fitted from 1,000 discs on.
 """
 
@@ -210,7 +209,7 @@ def epsilon_panel(rows, scene, title, value, paper):
     series = [chart.Series(name, epsilon_points(select(mine, guarantee=how[0], sampling=how[1]), value), i)
               for i, (how, name) in enumerate(METHOD_NAMES.items())]
     if paper:
-        bound = epsilon_points(select(mine, guarantee="arrival", sampling="geometric"), lambda row: float(row["paper_calls"]))
+        bound = epsilon_points(select(mine, guarantee="travel"), lambda row: float(row["paper_calls"]))
         series.append(chart.Series("bound of the paper", bound, 6, dashed=True, bare=True))
     return chart.Panel(f"{scene}: {title}", "epsilon", title, series)
 

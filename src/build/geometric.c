@@ -16,10 +16,10 @@
  */
 #include <math.h>
 
+#include "build/crew.h"
 #include "build/invert.h"
 #include "build/sampler.h"
 #include "build/trail.h"
-#include "scene/allocator.h"
 
 #define BATCH 16
 #define GIVE 16.0
@@ -43,8 +43,7 @@ typedef struct geometric {
     double target; /* the last a_i that was taken or skipped */
     slot slots[BATCH];
     size_t count;
-    probe *probes; /* one a worker */
-    size_t probe_count;
+    crew crew;
 } geometric;
 
 static double next_target(const geometric *g, double a)
@@ -116,7 +115,8 @@ static void solve_task(void *ctx, size_t i, size_t worker)
 {
     geometric *g = ctx;
     if (i >= g->count) return;
-    g->slots[i].status = worker < g->probe_count ? solve(g, &g->probes[worker], &g->slots[i]) : TDSP_INVALID_ARGUMENT;
+    probe *p = crew_probe(&g->crew, worker);
+    g->slots[i].status = p ? solve(g, p, &g->slots[i]) : TDSP_INVALID_ARGUMENT;
 }
 
 /*
@@ -149,12 +149,10 @@ static tdsp_status merge(geometric *g, slot *solved)
 
 static tdsp_status run_parallel(geometric *g)
 {
-    const tdsp_build_options *options = g->sampler->options;
     for (size_t i = 0; i < g->count; i++) g->slots[i].status = TDSP_FAILED; /* until it was run */
-    options->run_tasks(options->run_tasks_ctx, solve_task, g, g->count);
-    tdsp_status status = TDSP_OK;
+    tdsp_status status = crew_run(&g->crew, solve_task, g, g->count);
     for (size_t i = 0; i < g->count && status == TDSP_OK; i++) status = merge(g, &g->slots[i]);
-    return status == TDSP_OK ? probe_report_progress(&g->sampler->probe) : status;
+    return status;
 }
 
 static tdsp_status run_alone(geometric *g)
@@ -173,35 +171,7 @@ static tdsp_status run_batch(geometric *g)
     if (g->count == 0) return TDSP_OK;
     g->batch_base = g->base;
     g->batch_trail = g->trail;
-    return g->probes == &g->sampler->probe ? run_alone(g) : run_parallel(g);
-}
-
-/* Workers' oracles where there are threads to run them, else the oracle that was given. */
-static tdsp_status begin_probes(geometric *g)
-{
-    sampler *s = g->sampler;
-    const tdsp_build_options *options = s->options;
-    g->probes = &s->probe;
-    g->probe_count = 1;
-    if (!options->run_tasks || !options->workers) return TDSP_OK;
-    g->probes = memory_array(&s->probe.allocator, options->worker_count, sizeof *g->probes);
-    if (!g->probes) return TDSP_NO_MEMORY;
-    g->probe_count = options->worker_count;
-    for (size_t i = 0; i < g->probe_count; i++) g->probes[i] = probe_over(&options->workers[i], &s->probe.allocator, 1);
-    return TDSP_OK;
-}
-
-static void end_probes(geometric *g)
-{
-    sampler *s = g->sampler;
-    for (size_t i = 0; i < BATCH; i++) kept_path_release(&g->slots[i].path, &s->probe.allocator);
-    if (g->probes == &s->probe || !g->probes) return;
-    for (size_t i = 0; i < g->probe_count; i++) {
-        s->probe.forward_calls += g->probes[i].forward_calls;
-        s->probe.reverse_calls += g->probes[i].reverse_calls;
-        probe_release(&g->probes[i]);
-    }
-    memory_free(&s->probe.allocator, g->probes, g->probe_count * sizeof *g->probes);
+    return crew_is_alone(&g->crew) ? run_alone(g) : run_parallel(g);
 }
 
 static tdsp_status sample_all(geometric *g)
@@ -224,8 +194,9 @@ tdsp_status sampler_geometric(sampler *s)
     if (!(first->lower > 0)) return TDSP_NOT_SUPPORTED;
     geometric g = {.sampler = s, .base = *first, .trail = trail_begin(first, &s->domain.last), .target = first->lower};
     for (size_t i = 0; i < BATCH; i++) g.slots[i].path = kept_path_none();
-    tdsp_status status = begin_probes(&g);
+    tdsp_status status = crew_begin(&g.crew, s);
     if (status == TDSP_OK) status = sample_all(&g);
-    end_probes(&g);
+    for (size_t i = 0; i < BATCH; i++) kept_path_release(&g.slots[i].path, &s->probe.allocator);
+    crew_end(&g.crew);
     return status == TDSP_OK ? sampler_finish(s) : status;
 }

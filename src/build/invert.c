@@ -332,6 +332,7 @@ tdsp_status invert(probe *p, const inversion *goal, trail *t, bracket *b)
 {
     hunt h = {.probe = p, .goal = goal, .trail = t, .bracket = b, .seed = goal->seed, .asked = goal->asked, .known = {NAN, NAN}};
     h.is_known = goal->seed_is_known;
+    h.stalls = goal->suspected ? STALLED : 0;
     h.answer = goal->answer;
     h.gait = isnan(goal->seed) ? STEADY : SEEDED;
     if (b->low.beyond > (b->low.value + goal->cap) / 2) gallop_from_low(&h);

@@ -20,6 +20,7 @@ typedef struct inversion {
     double asked;
     int seed_is_known; /* `answer` is the sample at the seed, and the oracle still has its path */
     sample answer;
+    int suspected; /* a jump is: ask backwards before anything else */
     unsigned reversals; /* how often oracle->latest_departure may be asked */
 } inversion;
 

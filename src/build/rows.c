@@ -48,13 +48,12 @@ static int is_certified(const rows *r, const row *next)
     return lower <= upper && upper <= rows_cap(r->options, r->monotone, r->held.departure, lower);
 }
 
-/* Values never decrease: a bound that holds for the row before holds here too. */
-static row raised(const rows *r, const row *next)
+row rows_raised(tdsp_monotone monotone, const row *before, const row *next)
 {
-    double waited = r->monotone == TDSP_MONOTONE_ARRIVAL ? next->departure - r->held.departure : 0;
+    double waited = monotone == TDSP_MONOTONE_ARRIVAL ? next->departure - before->departure : 0;
     row out = *next;
-    out.left = fmax(out.left, r->held.left - waited);
-    out.right = fmax(out.right, r->held.right - waited);
+    out.left = fmax(out.left, before->left - waited);
+    out.right = fmax(out.right, before->right - waited);
     return out;
 }
 
@@ -64,7 +63,7 @@ tdsp_status rows_add(rows *r, const row *next, kept_path *path)
     row added = *next;
     if (r->count > 0) {
         if (!(next->departure > r->held.departure)) return TDSP_BAD_ORACLE;
-        added = raised(r, next);
+        added = rows_raised(r->monotone, &r->held, next);
         if (!is_certified(r, &added)) return TDSP_BAD_ORACLE;
         tdsp_status status = write_held(r);
         if (status != TDSP_OK) return status;

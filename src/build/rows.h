@@ -35,6 +35,9 @@ void rows_release(rows *r);
  */
 tdsp_status rows_add(rows *r, const row *next, kept_path *path);
 
+/* A row as it stands after `before`: values never decrease, so that a bound which holds for the row before holds for it too. */
+row rows_raised(tdsp_monotone monotone, const row *before, const row *next);
+
 /* T(b+) of the row held is at least this. */
 void rows_raise_right(rows *r, double right);
 

@@ -3,6 +3,30 @@
 
 #include <math.h>
 
+#define SLACK 1e-3  /* of the allowed increase */
+#define GIVE 5e-4   /* likewise, at jumps */
+#define REVERSALS 4 /* a row: each may find another jump under the cap first */
+
+inversion sampler_goal(const sampler *s, double departure, double ceiling, double lower)
+{
+    double cap = rows_cap(s->options, s->monotone, departure, lower);
+    inversion goal = {.cap = cap,
+                      .slack = SLACK * (cap - lower),
+                      .room = cap - ceiling,
+                      .anchor = -INFINITY,
+                      .after = departure,
+                      .give = GIVE * (cap - lower),
+                      .seed = NAN,
+                      .reversals = REVERSALS};
+    if (s->options->guarantee != TDSP_GUARANTEE_ARRIVAL) return goal;
+    /* What keeps this from needing more rows than geometric sampling: A(b_i) >= (1 + eps) A(b_(i-1)+) up to noise. */
+    if (s->monotone == TDSP_MONOTONE_TRAVEL)
+        goal.anchor = departure;
+    else
+        goal.slack = 0;
+    return goal;
+}
+
 row sampler_row(const sampler *s, const sample *at, double lower_after)
 {
     double waited = s->probe.by_arrival ? at->departure : 0;

@@ -3,6 +3,7 @@
 #define BUILD_SAMPLER_H
 
 #include "build/domain.h"
+#include "build/invert.h"
 #include "build/probe.h"
 #include "build/rows.h"
 
@@ -22,6 +23,12 @@ tdsp_status sampler_geometric(sampler *s);
 
 /* The row that a sample makes, its value being at least `lower_after` right after it. */
 row sampler_row(const sampler *s, const sample *at, double lower_after);
+
+/*
+ * The goal of an adaptive row that starts after `departure` from the certified bound `lower`, `ceiling` being that of the first value it must
+ * cover.
+ */
+inversion sampler_goal(const sampler *s, double departure, double ceiling, double lower);
 
 /* Make sure that p->path is that of the sample: one that an earlier row came by is asked again. */
 tdsp_status sampler_recall_path(probe *p, sample *s, double cap);

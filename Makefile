@@ -220,7 +220,7 @@ bench-programs: all $(BENCH_PROGRAMS)
 
 # Sections: peers scaling epsilon lookup real. None given: all. The page is made from the CSV files of all sections, whenever they were measured.
 ONLY ?=
-BENCH_LIMIT ?= 30
+BENCH_LIMIT ?= 15
 BENCH = $(PYTHON) tests/bench/bench.py --build $(BUILD) --limit $(BENCH_LIMIT)
 
 .PHONY: bench results

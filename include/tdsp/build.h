@@ -55,11 +55,11 @@ typedef struct tdsp_build_options {
     void *run_tasks_ctx;
     const tdsp_oracle *workers; /* one oracle a worker, equal in what they declare and answer; NULL: only the oracle given */
     size_t worker_count;
-    double oracle_share; /* adaptive sampling, with an oracle that has earliest_arrival_within: how much of the guarantee it may take
-                            up, 0 to 0.9; 0: exact answers only */
+    double oracle_share; /* adaptive sampling of the guarantees travel and absolute, with an oracle that has earliest_arrival_within:
+                            how much of the guarantee that may take up, 0 to 0.9; 0: exact answers only */
 } tdsp_build_options;
 
-/** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread. Since 0.1. */
+/** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread, a share of 1/2. Since 0.1. */
 TDSP_API void tdsp_build_options_init(tdsp_build_options *options);
 
 /** What was built, and what it cost. */

@@ -55,9 +55,9 @@ typedef struct tdsp_oracle {
      * 1. For tables (tdsp_build_options.oracle_share). NULL: every answer is exact. */
     tdsp_status (*earliest_arrival_within)(void *ctx, double departure, double delta, double *arrival, double *lower);
 
-    /* latest_departure where it is known that A(after) <= arrival < A(before): TDSP_OK, *departure from `after` up to `before`, and
-     * *arrives = A(*departure) with its path for path(), which are both not looked at when the answer is `after` itself. For oracles that
-     * can make use of it, beside latest_departure; NULL: latest_departure is asked. */
+    /* latest_departure where it is known that A(after) <= arrival < A(before), with an infinite `before` for the last departure of all:
+     * TDSP_OK, *departure from `after` up to `before`, and *arrives = A(*departure) with its path for path(), which are both not looked at
+     * when the answer is `after` itself or infinite. For oracles that can make use of it, beside latest_departure; NULL: that is asked. */
     tdsp_status (*latest_departure_between)(void *ctx, double arrival, double after, double before, double *departure, double *arrives);
 } tdsp_oracle;
 

@@ -113,11 +113,11 @@ static int first_is_certified(const sampler *s)
     return sample_fits(first, rows_cap(s->options, s->monotone, 0, first->lower));
 }
 
-/* May answers be rough? Monotone in arrival, rows of the guarantee arrival end as near under their caps as the noise allows. */
+/* May answers be rough? Not where rows are promised to be no more than those of geometric sampling, whose answers are exact. */
 static int may_be_rough(const sampler *s)
 {
-    int settles = s->monotone == TDSP_MONOTONE_ARRIVAL && s->options->guarantee == TDSP_GUARANTEE_ARRIVAL;
-    return s->probe.oracle->earliest_arrival_within && s->options->sampling == TDSP_SAMPLING_ADAPTIVE && !settles;
+    int promised = s->options->guarantee == TDSP_GUARANTEE_ARRIVAL;
+    return s->probe.oracle->earliest_arrival_within && s->options->sampling == TDSP_SAMPLING_ADAPTIVE && !promised;
 }
 
 /* The oracle's part of a relative guarantee, or of an absolute one for travel times up to `travel`. */

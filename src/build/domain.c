@@ -66,11 +66,12 @@ static tdsp_status expand(domain *d, probe *p, sample *high)
     return TDSP_NEEDS_HORIZON;
 }
 
-/* latest_departure(infinity), or NaN. */
-static tdsp_status ask_last(probe *p, double *seed)
+/* latest_departure(infinity), or NaN; with the answer there where it comes along. */
+static tdsp_status ask_last(probe *p, sample *seed, int *known)
 {
-    *seed = NAN;
-    return p->oracle->latest_departure ? probe_reverse(p, INFINITY, seed) : TDSP_OK;
+    seed->departure = NAN;
+    *known = 0;
+    return p->oracle->latest_departure ? probe_reverse_last(p, seed, known) : TDSP_OK;
 }
 
 /*
@@ -96,13 +97,14 @@ static tdsp_status climb(domain *d, probe *p, sample *high)
 }
 
 /* What the seed says: an answer there is followed up, none makes it the new high. *settled when the seed is the end. */
-static tdsp_status try_seed(domain *d, probe *p, double seed, sample *high, int *settled)
+static tdsp_status try_seed(domain *d, probe *p, const sample *found, int known, sample *high, int *settled)
 {
+    double seed = found->departure;
     *settled = 0;
     if (seed >= high->departure) return TDSP_OK;
-    sample s = d->first;
+    sample s = seed > 0 ? *found : d->first;
     if (seed > 0) {
-        tdsp_status status = probe_forward(p, seed, &s);
+        tdsp_status status = known ? TDSP_OK : probe_forward(p, seed, &s);
         if (status != TDSP_OK) return status;
         if (s.status == TDSP_OK) status = keep_low(d, p, &s);
         if (status != TDSP_OK) return status;
@@ -145,13 +147,15 @@ static tdsp_status find_reason(domain *d, probe *p, const sample *high)
 /* Some departure without an answer, and the end if the oracle knows it. high is where a search may stop: at the horizon, or nowhere. */
 static tdsp_status bound_end(domain *d, probe *p, double *seed, sample *high, int *settled)
 {
-    int beyond = isinf(high->departure);
+    int beyond = isinf(high->departure), known;
+    sample found;
     *settled = 0;
-    tdsp_status status = ask_last(p, seed);
+    tdsp_status status = ask_last(p, &found, &known);
+    *seed = found.departure;
     if (status != TDSP_OK) return status;
     if (isnan(*seed)) return beyond ? expand(d, p, high) : TDSP_OK;
     if (isinf(*seed)) return beyond ? TDSP_NEEDS_HORIZON : TDSP_BAD_ORACLE;
-    return try_seed(d, p, *seed, high, settled);
+    return try_seed(d, p, &found, known, high, settled);
 }
 
 /* Departures end by themselves, before `high`, which has no answer. */

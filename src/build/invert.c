@@ -74,8 +74,16 @@ int bracket_is_closed(const bracket *b)
 /* How far under the cap a row may end at s. Nothing under the sample's own margin can be told from noise. */
 static double tolerance(const inversion *goal, const sample *s)
 {
-    double asked = fmin(goal->slack, s->departure - goal->anchor - (s->value - s->lower));
+    double asked = fmin(goal->slack, s->departure - goal->anchor);
     return fmax(asked, s->ceiling - s->value);
+}
+
+/* A rough answer over the cap may stand for a value under it. Nothing is gained by closing in on it: so far a row may end under its cap, too. */
+static double doubt(const hunt *h)
+{
+    const sample *high = &h->bracket->high;
+    int is_rough = high->value - high->lower > 2 * (high->upper - high->value);
+    return is_rough && high->lower <= h->goal->cap ? high->ceiling - high->lower : 0;
 }
 
 static int is_over(const hunt *h)
@@ -83,7 +91,8 @@ static int is_over(const hunt *h)
     if (h->bracket->jumps) return 1;
     const sample *low = &h->bracket->low;
     double rest = h->goal->cap - low->ceiling;
-    int late_enough = low->departure > h->goal->after && rest <= tolerance(h->goal, low) && rest < h->goal->room / 2;
+    double most = fmax(tolerance(h->goal, low), doubt(h));
+    int late_enough = low->departure > h->goal->after && rest <= most && rest < h->goal->room / 2;
     double width = h->bracket->high.departure - low->departure;
     return late_enough || width <= h->goal->width || bracket_is_closed(h->bracket);
 }

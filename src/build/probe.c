@@ -151,20 +151,32 @@ static int is_between(const probe *p, double arrival, const sample *low, const s
     return p->oracle->latest_departure_between && probe_arrival(p, low) <= arrival && arrival < probe_arrival(p, high);
 }
 
-tdsp_status probe_reverse_between(probe *p, double arrival, const sample *low, const sample *high, sample *out, int *known)
+static tdsp_status ask_between(probe *p, double arrival, double low, double high, sample *out, int *known)
 {
-    *known = 0;
-    if (!is_between(p, arrival, low, high)) return probe_reverse(p, arrival, &out->departure);
     tdsp_status status = probe_report_progress(p);
     if (status != TDSP_OK) return status;
     double t = NAN, arrives = NAN;
     p->reverse_calls++;
-    status = p->oracle->latest_departure_between(p->oracle->ctx, arrival, low->departure, high->departure, &t, &arrives);
+    status = p->oracle->latest_departure_between(p->oracle->ctx, arrival, low, high, &t, &arrives);
     if (status != TDSP_OK) return error_of(status);
-    if (!(t >= low->departure && t <= high->departure)) return TDSP_BAD_ORACLE;
+    if (!(t >= low && t <= high)) return TDSP_BAD_ORACLE;
     out->departure = t;
-    *known = t > low->departure && t < high->departure;
+    *known = t > low && t < high;
     return *known ? take_answer(p, TDSP_OK, t, arrives, arrives, out) : TDSP_OK;
+}
+
+tdsp_status probe_reverse_between(probe *p, double arrival, const sample *low, const sample *high, sample *out, int *known)
+{
+    *known = 0;
+    if (!is_between(p, arrival, low, high)) return probe_reverse(p, arrival, &out->departure);
+    return ask_between(p, arrival, low->departure, high->departure, out, known);
+}
+
+tdsp_status probe_reverse_last(probe *p, sample *out, int *known)
+{
+    *known = 0;
+    if (!p->oracle->latest_departure_between) return probe_reverse(p, INFINITY, &out->departure);
+    return ask_between(p, INFINITY, 0, INFINITY, out, known);
 }
 
 tdsp_status probe_keep_path(probe *p, const sample *s)

@@ -69,6 +69,9 @@ tdsp_status probe_reverse(probe *p, double arrival, double *departure);
  */
 tdsp_status probe_reverse_between(probe *p, double arrival, const sample *low, const sample *high, sample *out, int *known);
 
+/* The last departure of all, as above; only out->departure, infinite, when nothing ever ends them. Only after A(0) was answered. */
+tdsp_status probe_reverse_last(probe *p, sample *out, int *known);
+
 /* Keep the path of the last answer in p->path, where the oracle has paths. */
 tdsp_status probe_keep_path(probe *p, const sample *s);
 

@@ -327,7 +327,7 @@ tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double
 {
     latest_state state;
     tdsp_status status = latest_run(solver, arrival, after, before, &state);
-    if (status == TDSP_OK && state.best > after) status = latest_confirm(&state);
+    if (status == TDSP_OK && state.best > after && !isinf(state.best)) status = latest_confirm(&state);
     if (status != TDSP_OK) return status;
     *departure = fmax(state.best, after);
     *arrives = state.arrives;

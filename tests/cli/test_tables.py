@@ -24,11 +24,20 @@ def compare(table, allowed):
 def build_gives_the_promised_keys_and_a_file_of_the_promised_size():
     report = done("build", scene(), "-o", "t.tdsp", "--json").json
     expect_equal(sorted(report), sorted(["rows", "bytes", "forward_calls", "reverse_calls", "seconds", "last_departure", "last_reason",
-                                         "guarantee", "epsilon", "delta", "sampling", "table"]))
+                                         "guarantee", "epsilon", "delta", "sampling", "table", "oracle_delta", "rough_calls"]))
     expect_equal([report[key] for key in ("guarantee", "epsilon", "delta", "sampling", "table", "last_reason")],
                  ["travel", 0.01, None, "adaptive", "t.tdsp", "destination_covered"])
     expect_equal(pathlib.Path("t.tdsp").stat().st_size, report["bytes"])
     expect_near(report["last_departure"], LAST, 1e-4)
+
+
+@test
+def build_says_what_part_of_the_guarantee_was_left_to_the_oracle():
+    report = done("build", scene(), "-o", "t.tdsp", "--epsilon", 0.02, "--json").json
+    expect_equal([report["oracle_delta"], report["rough_calls"]], [0.01, 0])
+    report = done("build", scene(), "-o", "u.tdsp", "--epsilon", 0.02, "--exact", "--json").json
+    expect_equal([report["oracle_delta"], report["rough_calls"]], [0, 0])
+    expect_equal(pathlib.Path("t.tdsp").read_bytes(), pathlib.Path("u.tdsp").read_bytes())
 
 
 @test

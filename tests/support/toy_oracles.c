@@ -158,6 +158,35 @@ static tdsp_status reverse(void *ctx, double arrival, double *departure)
     return TDSP_OK;
 }
 
+/* The whole of delta lies between the two, with the truth anywhere between them. */
+static tdsp_status within(void *ctx, double departure, double delta, double *arrival, double *lower)
+{
+    toy *t = ctx;
+    tdsp_status status = forward(ctx, departure, arrival);
+    if (status != TDSP_OK) return status;
+    double share = (wobble(departure + 1) + 1) / 2;
+    *lower = departure + (*arrival - departure) / (1 + share * delta);
+    *arrival = departure + (*lower - departure) * (1 + delta);
+    t->arrival = *arrival;
+    t->rough_calls += *lower < *arrival;
+    int due = t->forward_calls == t->fault_at;
+    if (due && t->fault == TOY_CROSSED) *lower = *arrival + 1;
+    if (due && t->fault == TOY_BEFORE_LOWER) *lower = departure - 1;
+    return TDSP_OK;
+}
+
+static tdsp_status between(void *ctx, double arrival, double after, double before, double *departure, double *arrives)
+{
+    toy *t = ctx;
+    tdsp_status status = reverse(ctx, arrival, departure);
+    if (status != TDSP_OK) return status;
+    *departure = fmin(fmax(*departure, after), before);
+    t->asked = *departure;
+    t->arrival = *arrives = computed_arrival(t, *departure);
+    if (t->fault == TOY_NOT_BETWEEN && t->reverse_calls == t->fault_at) *departure = after - 1;
+    return TDSP_OK;
+}
+
 static tdsp_status path(void *ctx, tdsp_oracle_path *out)
 {
     toy *t = ctx;
@@ -182,5 +211,7 @@ tdsp_oracle toy_oracle(toy *t, int forward_only)
     oracle.earliest_arrival = forward;
     oracle.latest_departure = forward_only ? NULL : reverse;
     oracle.path = path;
+    oracle.earliest_arrival_within = t->rough ? within : NULL;
+    oracle.latest_departure_between = t->rough && !forward_only ? between : NULL;
     return oracle;
 }

@@ -29,6 +29,9 @@ typedef enum toy_fault {
     TOY_REVERSE_ODD, /* ... TDSP_CUT_OFF where there is a way */
     TOY_REVERSE_ERROR,
     TOY_PATH_ERROR,
+    TOY_CROSSED,     /* earliest_arrival_within: a lower bound over the arrival */
+    TOY_BEFORE_LOWER, /* ... a lower bound before the departure */
+    TOY_NOT_BETWEEN, /* latest_departure_between: before `after` */
     TOY_PATH_NULL /* path of one leg at NULL */
 } toy_fault;
 
@@ -44,6 +47,8 @@ typedef struct toy {
     double lie;        /* added to what latest_departure says of a finite arrival, ... */
     uint64_t lie_from; /* ... from this reverse call on, ... */
     uint64_t lie_to;   /* ... and before this one; 0 for never ending */
+    int rough;         /* has earliest_arrival_within, which is as far off as it may be, and latest_departure_between */
+    uint64_t rough_calls;
     toy_fault fault;
     uint64_t fault_at; /* forward or reverse call, from 1 */
     uint64_t forward_calls;

@@ -130,6 +130,9 @@ static void bad_options_are_refused(void **state)
     REFUSED(epsilon = 0.9e-9);
     REFUSED(epsilon = 1.0001);
     REFUSED(epsilon = NAN);
+    REFUSED(oracle_share = -0.01);
+    REFUSED(oracle_share = 0.91);
+    REFUSED(oracle_share = NAN);
     REFUSED(guarantee = TDSP_GUARANTEE_ABSOLUTE); /* delta is 0 */
     REFUSED(horizon = -1);
     REFUSED(horizon = NAN);
@@ -250,6 +253,28 @@ static void errors_of_the_oracle_are_handed_on(void **state)
     }
 }
 
+static tdsp_status outcome_of_rough_fault(toy_fault fault, uint64_t at)
+{
+    toy t = toy_named("staircase")->toy;
+    t.rough = 1;
+    t.fault = fault;
+    t.fault_at = at;
+    tdsp_oracle oracle = toy_oracle(&t, 0);
+    tdsp_build_options options = defaults();
+    return outcome(&oracle, &options, NULL);
+}
+
+static void bounds_that_cannot_be_are_found_out(void **state)
+{
+    (void)state;
+    assert_int_equal(outcome_of_rough_fault(TOY_SOUND, 0), TDSP_OK);
+    assert_int_equal(outcome_of_rough_fault(TOY_CROSSED, 1), TDSP_BAD_ORACLE);
+    assert_int_equal(outcome_of_rough_fault(TOY_BEFORE_LOWER, 1), TDSP_BAD_ORACLE);
+    int found = 0;
+    for (uint64_t at = 1; at < 20; at++) found += outcome_of_rough_fault(TOY_NOT_BETWEEN, at) == TDSP_BAD_ORACLE;
+    assert_true(found > 0);
+}
+
 static void travel_times_that_fall_are_found_out(void **state)
 {
     (void)state;
@@ -349,6 +374,7 @@ int main(void)
         cmocka_unit_test(a_travel_time_that_grows_from_zero_needs_the_absolute_guarantee),
         cmocka_unit_test(an_oracle_that_breaks_its_word_at_any_call_is_found_out),
         cmocka_unit_test(errors_of_the_oracle_are_handed_on),
+        cmocka_unit_test(bounds_that_cannot_be_are_found_out),
         cmocka_unit_test(travel_times_that_fall_are_found_out),
         cmocka_unit_test(the_limit_of_rows_is_kept_to_the_row),
         cmocka_unit_test(building_can_be_cancelled_at_every_call_of_progress),

@@ -82,6 +82,44 @@ static void check_adaptive(const toy_world *world, tdsp_guarantee guarantee, int
     }
 }
 
+/* The guarantee holds although each answer is as far from the best as the oracle's share allows; rows are as few as for what is left of it. */
+static void check_rough(const toy_world *world, tdsp_guarantee guarantee, double share)
+{
+    toy t = world->toy;
+    double scale = (double)toy_value(&t, 0);
+    if (scale == 0) return;
+    t.error = 1e-11;
+    t.time_scale = scale;
+    t.blur = t.error * scale;
+    t.rough = 1;
+    tdsp_build_options options = with(guarantee, TDSP_SAMPLING_ADAPTIVE, 0.05);
+    options.delta = 0.05 * scale;
+    options.oracle_share = share;
+    tdsp_oracle oracle = toy_oracle(&t, 0);
+    toy_table table = toy_build(&oracle, &options);
+    toy_certify(&t, &options, &table, SAMPLES);
+    tdsp_build_options tighter = options;
+    tighter.epsilon *= 0.98 * (share > 0 ? (1 - share) / 2 : 1); /* a row that ends in doubt uses half of its room */
+    tighter.delta *= 0.98 * (share > 0 ? (1 - share) / 2 : 1);
+    assert_in_range(table.report.rows, 0, toy_least_rows(&t, &tighter) + 1);
+    assert_int_equal(table.report.rough_calls, t.rough_calls);
+    assert_int_equal(table.report.oracle_delta > 0, share > 0);
+    if (share == 0) assert_int_equal(t.rough_calls, 0);
+    toy_table_free(&table);
+}
+
+static void answers_within_a_share_of_the_best_stay_inside_the_guarantee(void **state)
+{
+    (void)state;
+    size_t count;
+    const toy_world *worlds = toy_worlds(&count);
+    for (size_t i = 0; i < count; i++)
+        for (int share = 0; share <= 8; share += 4) {
+            check_rough(&worlds[i], TDSP_GUARANTEE_TRAVEL, share / 10.0);
+            check_rough(&worlds[i], TDSP_GUARANTEE_ABSOLUTE, share / 10.0);
+        }
+}
+
 static void check_worlds(tdsp_guarantee guarantee, int forward_only, double error)
 {
     size_t count;
@@ -337,9 +375,36 @@ static void the_finest_bound_holds_above_the_noise(void **state)
     }
 }
 
+/* Where the oracle could be rough, too. */
+static void arrival_rows_are_exact_and_never_more_than_geometric_ones(void **state)
+{
+    (void)state;
+    size_t count;
+    const toy_world *worlds = toy_worlds(&count);
+    for (size_t i = 0; i < count; i++)
+        for (size_t k = 1; k < BOUNDS; k++) {
+            toy t = worlds[i].toy;
+            if (toy_value(&t, 0) == 0) continue;
+            t.error = 1e-11;
+            t.time_scale = (double)toy_value(&t, 0);
+            t.rough = 1;
+            tdsp_oracle oracle = toy_oracle(&t, 0);
+            tdsp_build_options adaptive = with(TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_ADAPTIVE, bounds[k]);
+            tdsp_build_options geometric = with(TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_GEOMETRIC, bounds[k]);
+            toy_table one = toy_build(&oracle, &adaptive), other = toy_build(&oracle, &geometric);
+            if (one.report.rows > other.report.rows) print_error("%s at %g\n", worlds[i].name, bounds[k]);
+            assert_in_range(one.report.rows, 0, other.report.rows);
+            assert_int_equal(one.report.rough_calls + other.report.rough_calls, 0);
+            toy_table_free(&one);
+            toy_table_free(&other);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(answers_within_a_share_of_the_best_stay_inside_the_guarantee),
+        cmocka_unit_test(arrival_rows_are_exact_and_never_more_than_geometric_ones),
         cmocka_unit_test(travel_rows_are_certified_and_few),
         cmocka_unit_test(arrival_rows_are_certified_and_few),
         cmocka_unit_test(absolute_rows_are_certified_and_few),

@@ -1,4 +1,4 @@
-/* Geometric rows by several workers: the same bytes whoever does what, in whatever order. */
+/* Rows by several workers: the same bytes whoever does what, in whatever order. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -97,10 +97,18 @@ static tdsp_build_options geometric(void)
     return options;
 }
 
-static toy_table build_by(crew *c, const toy *world, size_t count, int forward_only, tdsp_run_tasks run)
+static tdsp_build_options adaptive(tdsp_guarantee guarantee)
+{
+    tdsp_build_options options;
+    tdsp_build_options_init(&options);
+    options.guarantee = guarantee;
+    options.delta = 0.03;
+    return options;
+}
+
+static toy_table build_by(crew *c, const toy *world, size_t count, int forward_only, tdsp_run_tasks run, tdsp_build_options options)
 {
     hire(c, world, count, forward_only);
-    tdsp_build_options options = geometric();
     options.workers = c->oracles;
     options.worker_count = c->count;
     options.run_tasks = run;
@@ -123,47 +131,57 @@ static void assert_same_bytes(const toy_table *a, const toy_table *b)
     assert_memory_equal(a->bytes, b->bytes, a->length);
 }
 
-static void check_world(const toy_world *world, int forward_only, double error)
+static void check_world(const toy_world *world, int forward_only, double error, tdsp_build_options options)
 {
-    if (toy_value(&world->toy, 0) == 0) return;
     toy t = world->toy;
     t.error = error;
     t.time_scale = (double)toy_value(&t, 0);
     t.blur = error * t.time_scale;
+    t.rough = error > 0;
+    options.delta *= t.time_scale;
     toy used = t;
     tdsp_oracle oracle = toy_oracle(&used, forward_only);
-    tdsp_build_options options = geometric();
     toy_table alone = toy_build(&oracle, &options);
     static const size_t counts[] = {1, 2, MOST};
     for (size_t i = 0; i < 3; i++) {
         crew c;
-        toy_table backwards = build_by(&c, &t, counts[i], forward_only, run_backwards);
+        toy_table backwards = build_by(&c, &t, counts[i], forward_only, run_backwards, options);
         assert_same_bytes(&alone, &backwards);
         toy_table_free(&backwards);
-        toy_table threads = build_by(&c, &t, counts[i], forward_only, run_in_threads);
+        toy_table threads = build_by(&c, &t, counts[i], forward_only, run_in_threads, options);
         assert_same_bytes(&alone, &threads);
         toy_table_free(&threads);
     }
     toy_table_free(&alone);
 }
 
+static void check_worlds(const toy_world *(*some)(size_t *count), tdsp_build_options options)
+{
+    size_t count;
+    const toy_world *worlds = some(&count);
+    for (int mode = 0; mode < 4; mode++)
+        for (size_t i = 0; i < count; i++)
+            if (toy_value(&worlds[i].toy, 0) != 0) check_world(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0, options);
+}
+
 static void bytes_do_not_depend_on_the_workers(void **state)
 {
     (void)state;
-    for (int mode = 0; mode < 4; mode++) {
-        size_t count;
-        const toy_world *worlds = toy_worlds(&count);
-        for (size_t i = 0; i < count; i++)
-            check_world(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
-        worlds = toy_networks(&count);
-        for (size_t i = 0; i < count; i++)
-            check_world(&worlds[i], mode & 1, mode & 2 ? 1e-11 : 0);
-    }
+    check_worlds(toy_worlds, geometric());
+    check_worlds(toy_networks, geometric());
 }
 
-static tdsp_status outcome(crew *c, tdsp_run_tasks run, toy_heap *heap)
+static void bytes_of_adaptive_tables_do_not_depend_on_the_workers_either(void **state)
 {
-    tdsp_build_options options = geometric();
+    (void)state;
+    check_worlds(toy_worlds, adaptive(TDSP_GUARANTEE_TRAVEL));
+    check_worlds(toy_worlds, adaptive(TDSP_GUARANTEE_ARRIVAL));
+    check_worlds(toy_worlds, adaptive(TDSP_GUARANTEE_ABSOLUTE));
+    check_worlds(toy_networks, adaptive(TDSP_GUARANTEE_ARRIVAL));
+}
+
+static tdsp_status outcome(crew *c, tdsp_run_tasks run, toy_heap *heap, tdsp_build_options options)
+{
     options.workers = c->oracles;
     options.worker_count = c->count;
     options.run_tasks = run;
@@ -182,20 +200,23 @@ static tdsp_status outcome(crew *c, tdsp_run_tasks run, toy_heap *heap)
     return status;
 }
 
-static tdsp_status outcome_of(tdsp_run_tasks run)
+static tdsp_status outcome_of(tdsp_run_tasks run, tdsp_build_options options)
 {
     crew c;
     hire(&c, &toy_named("bend")->toy, 2, 0);
     toy_heap heap = {0, 0, 0, 0};
-    return outcome(&c, run, &heap);
+    return outcome(&c, run, &heap, options);
 }
 
 static void runners_that_do_not_keep_to_the_rules_are_found_out(void **state)
 {
     (void)state;
-    assert_int_equal(outcome_of(run_all_but_one), TDSP_FAILED);
-    assert_int_equal(outcome_of(run_by_a_stranger), TDSP_INVALID_ARGUMENT);
-    assert_int_equal(outcome_of(run_too_many), TDSP_OK);
+    const tdsp_build_options both[] = {geometric(), adaptive(TDSP_GUARANTEE_TRAVEL)};
+    for (size_t i = 0; i < 2; i++) {
+        assert_int_equal(outcome_of(run_all_but_one, both[i]), TDSP_FAILED);
+        assert_int_equal(outcome_of(run_by_a_stranger, both[i]), TDSP_INVALID_ARGUMENT);
+        assert_int_equal(outcome_of(run_too_many, both[i]), TDSP_OK);
+    }
 }
 
 static void errors_of_a_worker_are_handed_on(void **state)
@@ -207,22 +228,28 @@ static void errors_of_a_worker_are_handed_on(void **state)
         c.toys[1].fault = TOY_ERROR;
         c.toys[1].fault_at = at;
         toy_heap heap = {0, 0, 0, 0};
-        assert_int_equal(outcome(&c, run_backwards, &heap), TDSP_FAILED);
+        assert_int_equal(outcome(&c, run_backwards, &heap, geometric()), TDSP_FAILED);
     }
 }
 
-static void every_allocation_of_a_worker_may_fail(void **state)
+static void every_allocation_may_fail(tdsp_build_options options)
 {
-    (void)state;
     tdsp_status status = TDSP_NO_MEMORY;
     for (size_t refuse = 1; status == TDSP_NO_MEMORY; refuse++) {
         crew c;
         hire(&c, &toy_named("bend")->toy, 3, 0);
         toy_heap heap = {.refuse = refuse};
-        status = outcome(&c, run_backwards, &heap);
+        status = outcome(&c, run_backwards, &heap, options);
         assert_true(status == TDSP_OK || heap.calls >= refuse);
     }
     assert_int_equal(status, TDSP_OK);
+}
+
+static void every_allocation_of_a_worker_may_fail(void **state)
+{
+    (void)state;
+    every_allocation_may_fail(geometric());
+    every_allocation_may_fail(adaptive(TDSP_GUARANTEE_TRAVEL));
 }
 
 static int cancel(void *ctx, double settled, double all)
@@ -259,6 +286,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bytes_do_not_depend_on_the_workers),
+        cmocka_unit_test(bytes_of_adaptive_tables_do_not_depend_on_the_workers_either),
         cmocka_unit_test(runners_that_do_not_keep_to_the_rules_are_found_out),
         cmocka_unit_test(errors_of_a_worker_are_handed_on),
         cmocka_unit_test(every_allocation_of_a_worker_may_fail),

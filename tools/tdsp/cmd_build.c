@@ -17,7 +17,7 @@
 #define MOST_THREADS 256
 
 typedef struct Wanted {
-    gboolean json;
+    gboolean json, exact;
     char *guarantee, *sampling, *epsilon, *delta, *horizon, *threads, *output; /* as given; NULL: not given */
     guint threads_count;
     tdsp_build_options options;
@@ -92,6 +92,7 @@ static gboolean parse_wanted(Wanted *wanted, GError **error)
         return FALSE;
     wanted->options.guarantee = (tdsp_guarantee)guarantee;
     wanted->options.sampling = (tdsp_sampling)sampling;
+    if (wanted->exact) wanted->options.oracle_share = 0;
     if (sampling == TDSP_SAMPLING_GEOMETRIC && guarantee != TDSP_GUARANTEE_ARRIVAL)
         return cli_fail(error, CLI_USAGE, "--sampling geometric gives the guarantee arrival only: add --guarantee arrival");
     return parse_bound(wanted, error) && parse_rest(wanted, error);
@@ -157,6 +158,8 @@ static gboolean print_json(const Wanted *wanted, const Built *built, GError **er
     json_out_member_whole(&out, "bytes", built->report.bytes);
     json_out_member_whole(&out, "forward_calls", built->report.forward_calls);
     json_out_member_whole(&out, "reverse_calls", built->report.reverse_calls);
+    json_out_member_number(&out, "oracle_delta", built->report.oracle_delta);
+    json_out_member_whole(&out, "rough_calls", built->report.rough_calls);
     json_out_member_number(&out, "seconds", built->seconds);
     json_out_member_number(&out, "last_departure", done ? built->report.last_departure : INFINITY);
     json_out_member_string(&out, "last_reason", tdsp_status_name(done ? built->report.last_reason : built->status));
@@ -186,6 +189,9 @@ static gboolean print_text(const Wanted *wanted, const Built *built, GError **er
                            tdsp_status_name(report->last_reason));
     g_string_append_printf(text, "oracle calls   %" G_GUINT64_FORMAT " forward, %" G_GUINT64_FORMAT " reverse\n",
                            report->forward_calls, report->reverse_calls);
+    if (report->oracle_delta > 0)
+        g_string_append_printf(text, "               %" G_GUINT64_FORMAT " of them within %s of the best, the others exact\n",
+                               report->rough_calls, number_format(bound, report->oracle_delta));
     g_string_append_printf(text, "seconds        %s\n", number_brief(seconds, built->seconds, 4));
     return cli_print(text, error);
 }
@@ -221,6 +227,8 @@ int cmd_build(const CliCommand *command, int argc, char **argv, GError **error)
         {"sampling", 0, 0, G_OPTION_ARG_STRING, &wanted.sampling, "adaptive (default), or geometric (guarantee arrival)",
          "SAMPLING"},
         {"horizon", 0, 0, G_OPTION_ARG_STRING, &wanted.horizon, "Latest departure; needed where no disc ever ends them", "H"},
+        {"exact", 0, 0, G_OPTION_ARG_NONE, &wanted.exact,
+         "Ask for exact arrivals only, also where nearly the best would do and cost far less", NULL},
         {"threads", 0, 0, G_OPTION_ARG_STRING, &wanted.threads, "Threads (default: one a processor); never changes the table",
          "N"},
         G_OPTION_ENTRY_NULL,

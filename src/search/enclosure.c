@@ -3,6 +3,9 @@
 
 #include <string.h>
 
+/* So many discs about the destination are looked at, or a few more. */
+#define WALL 256u
+
 /* A way out is sought with bounds so heavy, because any will do ... */
 #define WEIGHT 2.0
 
@@ -21,13 +24,13 @@ static double least_radius(const tdsp_scene *scene, const geom_disc *disc, doubl
     return fmin(fmax(first, met), covered) * (1.0 - TOUCH);
 }
 
-/* The rings about the destination, as far as they are looked up at all. */
+/* The rings about the destination. */
 static tdsp_status rings_about_destination(neighbourhood *around, const tdsp_scene *scene, uint32_t *place)
 {
     int added = 1;
     tdsp_status status = around->set == &scene->all ? TDSP_OK : neighbours_begin(around, &scene->allocator, &scene->all);
     if (status == TDSP_OK) status = neighbours_of_point(around, &scene->allocator, scene->destination, place);
-    while (status == TDSP_OK && added) status = neighbours_widen(around, &scene->allocator, *place, &added);
+    while (status == TDSP_OK && added) status = neighbours_widen(around, &scene->allocator, *place, WALL, &added);
     return status;
 }
 

@@ -23,7 +23,8 @@ typedef struct leave_task {
     disc_engine *engine;
     uint32_t ride;  /* ENGINE_NONE: the start */
     uint32_t self;  /* the disc ridden, or INDEX_NONE */
-    uint32_t place; /* of its rings */
+    uint32_t place;  /* of its rings */
+    uint32_t others; /* so many discs are not it */
     look_wedge wedge;
     int *done;
 } leave_task;
@@ -34,6 +35,7 @@ static void task_init(leave_task *task, disc_engine *engine, uint32_t ride, uint
     task->ride = ride;
     task->self = self;
     task->place = 0;
+    task->others = engine->set->count - (self != INDEX_NONE);
     task->done = done;
 }
 
@@ -201,24 +203,34 @@ static tdsp_status task_look_at_ring(leave_task *task, uint32_t ring)
     return status;
 }
 
+/* See to it that there is a ring after those that hold `seen` discs; *far is 1 when a rider looks at no more rings. */
+static tdsp_status task_next_ring(leave_task *task, uint32_t ring, uint32_t seen, int *far)
+{
+    neighbourhood *around = task->engine->around;
+    int added = ring < around->rings[task->place].ring_count;
+    tdsp_status status = TDSP_OK;
+    if (!added) status = neighbours_widen(around, &task->engine->scene->allocator, task->place, NEIGHBOURS_MOST, &added);
+    *far = !added || seen >= NEIGHBOURS_MOST;
+    return status;
+}
+
 /* Push the legs to all discs. */
 static tdsp_status task_look_around(leave_task *task)
 {
-    disc_engine *engine = task->engine;
-    neighbourhood *around = engine->around;
+    neighbourhood *around = task->engine->around;
     double radius = -INFINITY; /* of the rings looked at */
+    uint32_t seen = 0;         /* discs in them */
     tdsp_status status = TDSP_OK;
     for (uint32_t ring = 0; status == TDSP_OK && !*task->done; ++ring) {
+        int far;
         double shortest = wedge_shortest(&task->wedge, radius);
         if (shortest > task->wedge.longest || !sky_advance(&task->wedge.sky, shortest)) return TDSP_OK;
-        if (ring == around->rings[task->place].ring_count) {
-            int added;
-            status = neighbours_widen(around, &engine->scene->allocator, task->place, &added);
-            if (status != TDSP_OK) return status;
-            if (!added) return neighbours_complete(around, task->place) ? TDSP_OK : task_look_far(task, radius);
-        }
+        status = task_next_ring(task, ring, seen, &far);
+        if (status != TDSP_OK) return status;
+        if (far) return seen == task->others ? TDSP_OK : task_look_far(task, radius);
         status = task_look_at_ring(task, ring);
         radius = around->rings[task->place].rings[ring].radius;
+        seen += around->rings[task->place].rings[ring].count;
     }
     return status;
 }

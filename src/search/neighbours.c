@@ -21,6 +21,7 @@ tdsp_status neighbours_begin(neighbourhood *self, const tdsp_allocator *allocato
     if (set->count) memset(self->places, 0, set->count * sizeof *self->places);
     self->set = set;
     self->block_count = self->rings_count = 0;
+    self->points[0] = self->points[1] = 0;
     return TDSP_OK;
 }
 
@@ -80,7 +81,15 @@ tdsp_status neighbours_of_disc(neighbourhood *self, const tdsp_allocator *alloca
 
 tdsp_status neighbours_of_point(neighbourhood *self, const tdsp_allocator *allocator, tdsp_point point, uint32_t *place)
 {
-    return rings_add(self, allocator, point, 0.0, INDEX_NONE, place);
+    for (int i = 0; i < 2; ++i) {
+        *place = self->points[i] - 1;
+        if (self->points[i] && point_distance(self->rings[*place].center, point) == 0.0) return TDSP_OK;
+    }
+    tdsp_status status = rings_add(self, allocator, point, 0.0, INDEX_NONE, place);
+    if (status != TDSP_OK) return status;
+    self->points[1] = self->points[0];
+    self->points[0] = *place + 1;
+    return TDSP_OK;
 }
 
 int neighbours_complete(const neighbourhood *self, uint32_t place)
@@ -153,11 +162,11 @@ static tdsp_status ring_fill(neighbourhood *self, const tdsp_allocator *allocato
     return status;
 }
 
-tdsp_status neighbours_widen(neighbourhood *self, const tdsp_allocator *allocator, uint32_t place, int *added)
+tdsp_status neighbours_widen(neighbourhood *self, const tdsp_allocator *allocator, uint32_t place, uint32_t most, int *added)
 {
     neighbour_rings *rings = &self->rings[place];
     *added = 0;
-    if (rings->ring_count == NEIGHBOUR_RINGS || rings->disc_count >= NEIGHBOURS_MOST || neighbours_complete(self, place)) return TDSP_OK;
+    if (rings->ring_count == NEIGHBOUR_RINGS || rings->disc_count >= most || neighbours_complete(self, place)) return TDSP_OK;
     double inner = rings->ring_count ? rings->rings[rings->ring_count - 1].radius : -INFINITY;
     neighbour_ring *ring = &rings->rings[rings->ring_count];
     ring->radius = rings->ring_count ? rings->own + WIDER * (inner - rings->own) : rings->inner;

@@ -14,7 +14,7 @@
 #define NEIGHBOUR_BLOCK 16
 #define NEIGHBOUR_RINGS 12
 
-/* No ring is added once there are so many discs in them. */
+/* A rider needs no more rings once there are so many discs in them. */
 #define NEIGHBOURS_MOST 48u
 
 /* Unused places at a block's end are out of everyone's reach. */
@@ -50,6 +50,7 @@ typedef struct neighbourhood {
     size_t rings_count, rings_capacity;
     uint32_t *places; /* for each disc: where its rings are, plus 1; 0: not looked up */
     size_t place_capacity;
+    uint32_t points[2]; /* the same for the last two points, the newer one first */
 } neighbourhood;
 
 /* Forget everything, and begin with these discs. TDSP_OK or TDSP_NO_MEMORY. O(discs). */
@@ -60,11 +61,11 @@ uint64_t neighbours_bytes(const neighbourhood *self);
 /* The rings around a disc of the set, as a place in self->rings; there may be none yet. */
 tdsp_status neighbours_of_disc(neighbourhood *self, const tdsp_allocator *allocator, uint32_t disc, uint32_t *place);
 
-/* The same around any point; these are not remembered. */
+/* The same around any point. Those of the last two points are remembered. */
 tdsp_status neighbours_of_point(neighbourhood *self, const tdsp_allocator *allocator, tdsp_point point, uint32_t *place);
 
-/* Look up one more ring; *added is 0 when there are enough of them. Expected O(log n + discs in it). */
-tdsp_status neighbours_widen(neighbourhood *self, const tdsp_allocator *allocator, uint32_t place, int *added);
+/* Look up one more ring, if they hold fewer than `most` discs; *added is 0 when there are enough of them. Expected O(log n + discs in it). */
+tdsp_status neighbours_widen(neighbourhood *self, const tdsp_allocator *allocator, uint32_t place, uint32_t most, int *added);
 
 /* Do the rings hold every disc? */
 int neighbours_complete(const neighbourhood *self, uint32_t place);

@@ -122,7 +122,7 @@ static void widen_all(world *w, uint32_t place)
     int added = 1;
     check_rings(w, place);
     while (added) {
-        assert_int_equal(neighbours_widen(&w->around, &w->memory, place, &added), TDSP_OK);
+        assert_int_equal(neighbours_widen(&w->around, &w->memory, place, NEIGHBOURS_MOST, &added), TDSP_OK);
         check_rings(w, place);
     }
     const neighbour_rings *rings = &w->around.rings[place];
@@ -190,7 +190,7 @@ static void check_in_turn(world *w, uint64_t *chance)
     }
     for (int round = 0; round < 2 * NEIGHBOUR_RINGS; ++round) {
         int added;
-        assert_int_equal(neighbours_widen(&w->around, &w->memory, places[round % 4], &added), TDSP_OK);
+        assert_int_equal(neighbours_widen(&w->around, &w->memory, places[round % 4], NEIGHBOURS_MOST, &added), TDSP_OK);
         for (int i = 0; i < 4; ++i) check_rings(w, places[i]);
     }
 }
@@ -232,7 +232,7 @@ static void among_no_discs_the_rings_of_a_point_are_complete(void **state)
     assert_int_equal(neighbours_begin(&w.around, &w.memory, &w.set), TDSP_OK);
     assert_int_equal(neighbours_of_point(&w.around, &w.memory, point_make(0.5, 0.5), &place), TDSP_OK);
     assert_true(neighbours_complete(&w.around, place));
-    assert_int_equal(neighbours_widen(&w.around, &w.memory, place, &added), TDSP_OK);
+    assert_int_equal(neighbours_widen(&w.around, &w.memory, place, NEIGHBOURS_MOST, &added), TDSP_OK);
     assert_int_equal(added, 0);
     world_free(&w);
 }
@@ -246,7 +246,7 @@ static tdsp_status look_up(world *w)
     if (status == TDSP_OK) status = neighbours_of_disc(&w->around, &w->memory, 44, &places[1]);
     if (status == TDSP_OK) status = neighbours_of_point(&w->around, &w->memory, point_make(0.1, 0.2), &places[2]);
     for (int i = 0; i < 3; ++i)
-        for (int added = 1; added && status == TDSP_OK;) status = neighbours_widen(&w->around, &w->memory, places[i], &added);
+        for (int added = 1; added && status == TDSP_OK;) status = neighbours_widen(&w->around, &w->memory, places[i], NEIGHBOURS_MOST, &added);
     return status;
 }
 
@@ -291,12 +291,12 @@ static void a_ring_that_failed_half_way_can_be_added_later(void **state)
     assert_int_equal(neighbours_of_disc(&w.around, &w.memory, 9, &place), TDSP_OK);
     for (int added = 1; added;) {
         heap.refuse = heap.calls + 1;
-        if (neighbours_widen(&w.around, &w.memory, place, &added) == TDSP_OK) continue;
+        if (neighbours_widen(&w.around, &w.memory, place, NEIGHBOURS_MOST, &added) == TDSP_OK) continue;
         ++failed;
         assert_int_equal(added, 0);
         check_rings(&w, place);
         heap.refuse = 0;
-        assert_int_equal(neighbours_widen(&w.around, &w.memory, place, &added), TDSP_OK);
+        assert_int_equal(neighbours_widen(&w.around, &w.memory, place, NEIGHBOURS_MOST, &added), TDSP_OK);
         check_rings(&w, place);
     }
     assert_true(failed > 0);

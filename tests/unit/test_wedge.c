@@ -87,7 +87,7 @@ static void look_around(chunk_world *w, look_wedge *wedge, shown_to shown)
         double shortest = wedge_shortest(wedge, radius);
         int added;
         if (shortest > wedge->longest || !sky_advance(&wedge->sky, shortest)) return;
-        assert_int_equal(neighbours_widen(&w->around, &w->memory, place, &added), TDSP_OK);
+        assert_int_equal(neighbours_widen(&w->around, &w->memory, place, NEIGHBOURS_MOST, &added), TDSP_OK);
         if (ring == w->around.rings[place].ring_count) {
             look_far(w, wedge, radius, shown);
             return;

@@ -71,7 +71,10 @@ static tdsp_status add_row(const sampler *s, probe *p, piece *out, const bracket
 /* Samples ahead that fit are where the row goes at least. Returns 1 when that is the end of the piece. */
 static int pass_known(trail *t, double cap, bracket *b)
 {
-    while (t->ahead_count > 0 && sample_fits(&t->ahead[t->ahead_count - 1], cap)) b->low = t->ahead[--t->ahead_count];
+    while (t->ahead_count > 0 && sample_fits(&t->ahead[t->ahead_count - 1], cap)) {
+        b->low = t->ahead[--t->ahead_count];
+        trail_note(t, &b->low);
+    }
     if (t->ahead_count == 0) return 1;
     b->high = t->ahead[t->ahead_count - 1];
     return 0;

@@ -150,7 +150,8 @@ static double arrival_inside_jump(const hunt *h)
     if (below >= width && below >= above) return most + b->low.departure;
     double least = b->high.departure - below;
     double latest = b->low.departure + above;
-    return latest >= least ? most + least + (latest - least) / 4 : NAN;
+    if (latest >= least) return most + least + (latest - least) / 4;
+    return least - latest <= width / 2 ? most + (least + latest) / 2 : NAN;
 }
 
 static int may_reverse(const hunt *h)

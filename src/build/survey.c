@@ -18,7 +18,7 @@
 
 #define HALVINGS 12u
 #define STRAIGHT 0.05 /* of the rise: how far the middle of a smooth stretch is off its chord */
-#define NEARLY_ALL 0.9 /* of the rise in one half: a jump */
+#define NEARLY_ALL 0.8 /* of the rise in one half: a jump */
 
 static int has_too_much(const survey *self, const sample *low, const sample *high)
 {
@@ -113,16 +113,27 @@ static int is_straight(const stretch *it)
     return fabs(off) <= STRAIGHT * (it->high.value - it->low.value);
 }
 
+static void note_bracket(survey *self, stretch *it)
+{
+    const bracket *b = &it->bracket;
+    if (is_barrier(self->crew->sampler, b)) {
+        add_landmark(self, b, &it->path);
+        return;
+    }
+    if (b->low.departure > it->low.departure) remember(self, &b->low);
+    if (b->high.departure < it->high.departure) remember(self, &b->high);
+}
+
 static void note(survey *self, stretch *it, stretch *next, size_t *count)
 {
-    if (it->suspected && is_barrier(self->crew->sampler, &it->bracket)) {
-        add_landmark(self, &it->bracket, &it->path);
-    } else if (!it->suspected) {
-        remember(self, &it->middle);
-        if (is_straight(it)) return;
-        add_half(self, next, count, it, 0);
-        add_half(self, next, count, it, 1);
+    if (it->suspected) {
+        note_bracket(self, it);
+        return;
     }
+    remember(self, &it->middle);
+    if (is_straight(it)) return;
+    add_half(self, next, count, it, 0);
+    add_half(self, next, count, it, 1);
 }
 
 static tdsp_status survey_round(survey *self, stretch *next)

@@ -368,6 +368,16 @@ static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *
     return TDSP_OK;
 }
 
+tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason)
+{
+    const tdsp_scene *scene = solver->scene;
+    latest_state state = {solver, &scene->all, solver->work, scene->destination_cover.time, last, last, INFINITY, NULL, -1.0, INFINITY};
+    tdsp_last_departure out;
+    tdsp_status status = last_explain(&state, &out);
+    if (status == TDSP_OK) *reason = out.reason;
+    return status;
+}
+
 tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out)
 {
     if (!solver || !out) return TDSP_INVALID_ARGUMENT;

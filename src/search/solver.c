@@ -213,11 +213,7 @@ static tdsp_status oracle_path(void *ctx, tdsp_oracle_path *out)
 
 static tdsp_status oracle_last_reason(void *ctx, double departure, tdsp_status *reason)
 {
-    tdsp_last_departure last;
-    (void)departure;
-    tdsp_status status = tdsp_solver_last_departure(ctx, &last);
-    if (status == TDSP_OK) *reason = last.reason;
-    return status;
+    return solver_last_reason(ctx, departure, reason);
 }
 
 tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)

@@ -42,6 +42,9 @@ tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arriva
  */
 tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double after, double before, double *departure, double *arrives);
 
+/* Why there is no way right after the last departure, which the caller knows. */
+tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason);
+
 /* Is this time too many journeys away to be answered, in a scene where something grows? */
 int solver_is_far(const tdsp_scene *scene, double time);
 

@@ -18,7 +18,7 @@ typedef struct relax_patience {
 } relax_patience;
 
 /* At first, and when the scouts are lost: then the search among all discs may cost a hundred times as much as any round. */
-static const relax_patience BRIEF = {64, 36, 512}, LONG = {512, 256, 1024};
+static const relax_patience BRIEF = {128, 96, 512}, LONG = {512, 256, 1024};
 
 tdsp_status relax_create(relaxation *self, const tdsp_scene *scene)
 {

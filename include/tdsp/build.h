@@ -59,7 +59,7 @@ typedef struct tdsp_build_options {
                             how much of the guarantee that may take up, 0 to 0.9; 0: exact answers only */
 } tdsp_build_options;
 
-/** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread, a share of 1/2. Since 0.1. */
+/** Defaults: travel, 0.01, adaptive, no horizon, TDSP_MAX_ROWS, an empty world, one thread, a share of 3/4. Since 0.1. */
 TDSP_API void tdsp_build_options_init(tdsp_build_options *options);
 
 /** What was built, and what it cost. */

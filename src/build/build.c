@@ -17,7 +17,7 @@
 #define MAX_EPSILON 1.0
 #define MAX_ERROR 0.1
 #define MAX_SHARE 0.9
-#define SHARE 0.5
+#define SHARE 0.75
 #define UNIT_BYTES 15u
 
 void tdsp_oracle_init(tdsp_oracle *oracle)

@@ -96,7 +96,8 @@ static int options_are_valid(const tdsp_build_options *options, const tdsp_oracl
 {
     if (!options || options->size != sizeof *options) return 0;
     int sampling = options->sampling == TDSP_SAMPLING_ADAPTIVE || options->sampling == TDSP_SAMPLING_GEOMETRIC;
-    int limits = options->oracle_share >= 0 && options->oracle_share <= MAX_SHARE && options->horizon >= 0 && options->max_rows >= 1 && options->max_rows <= TDSP_MAX_ROWS;
+    int share = options->oracle_share >= 0 && options->oracle_share <= MAX_SHARE;
+    int limits = share && options->horizon >= 0 && options->max_rows >= 1 && options->max_rows <= TDSP_MAX_ROWS;
     return sampling && limits && bound_is_valid(options) && world_is_valid(&options->world) && workers_are_valid(options, oracle);
 }
 

@@ -6,8 +6,8 @@
  *
  *     noise(t) = error / (1 - error) * (T + time_scale) + 2^-50 A
  *
- * of the truth (at either end of what it says, where it leaves an interval open): the first term is the stated error with the computed T in place of the true one, |T' - T| <= error (T + scale) giving
- * T + scale <= (T' + scale) / (1 - error); the second is eight half units of rounding of A, for the oracle's own sum, for the
+ * of the truth (at either end of what it says, where it leaves an interval open): the first term is the stated error with the computed T in
+ * place of the true one, |T' - T| <= error (T + scale) giving T + scale <= (T' + scale) / (1 - error); the second is eight half units of rounding of A, for the oracle's own sum, for the
  * subtraction that makes T, and for the sum that a reader of the table makes. An arrival equal to its departure is exact.
  */
 #ifndef BUILD_PROBE_H

@@ -177,7 +177,7 @@ static void engine_forget(disc_engine *engine)
     engine->gave_up = 0;
     engine->chunks = 0;
     if (++engine->stamp == 0 && engine->scene->all.count) {
-        memset(engine->stamps, 0, 2 * (size_t)engine->scene->all.count * sizeof *engine->stamps);
+        memset(engine->stamps, 0, engine->scene->all.count * sizeof *engine->stamps);
         engine->stamp = 1;
     }
 }
@@ -271,7 +271,7 @@ tdsp_status engine_create(disc_engine *engine, const tdsp_scene *scene)
     engine->arrived = ENGINE_NONE;
     tdsp_status status = tdsp_search_create(&scene->allocator, &engine->open);
     if (status != TDSP_OK || scene->all.count == 0) return status;
-    size_t lists = 2 * (size_t)scene->all.count;
+    size_t lists = scene->all.count;
     engine->heads = memory_array(&scene->allocator, lists, sizeof *engine->heads);
     engine->stamps = memory_array(&scene->allocator, lists, sizeof *engine->stamps);
     if (!engine->heads || !engine->stamps) {
@@ -286,7 +286,7 @@ void engine_free(disc_engine *engine)
 {
     if (!engine->scene) return;
     const tdsp_allocator *memory = &engine->scene->allocator;
-    size_t lists = 2 * (size_t)engine->scene->all.count;
+    size_t lists = engine->scene->all.count;
     tdsp_search_free(engine->open);
     heap_free(&engine->looks, memory);
     neighbours_free(&engine->around_all, memory);
@@ -300,7 +300,7 @@ void engine_free(disc_engine *engine)
 
 uint64_t engine_bytes(const disc_engine *engine)
 {
-    uint64_t lists = 2 * (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
+    uint64_t lists = (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
     return lists + neighbours_bytes(&engine->around_all) + neighbours_bytes(&engine->around_part) + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
            (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot) + sizeof *engine;
 }

@@ -5,8 +5,8 @@
  * discs, or a ride that has been followed up to its time and may go on. Taking a leg tests it and starts a ride; taking a ride follows it
  * by one chunk, records what it swept, and pushes every leg that leaves the chunk.
  *
- * Dominance: who passes a place on a boundary earlier, on the same side, can do whatever a later one can, moved earlier. So a leg
- * that arrives where a ride was before is dropped, and a ride ends where another rode before it (sweep.h).
+ * Dominance: who passes a place on a boundary earlier can do whatever a later one can, moved earlier. So a leg that arrives where a ride was before is
+ * dropped, and a ride ends where another rode before it (sweep.h).
  */
 #ifndef SEARCH_ENGINE_H
 #define SEARCH_ENGINE_H
@@ -41,7 +41,7 @@ typedef struct engine_ride {
     uint32_t disc;
     int side;
     uint32_t leg;  /* how it began; ENGINE_NONE: a seed */
-    uint32_t next; /* the next ride on the same disc and side */
+    uint32_t next; /* the next ride on the same disc */
     double normal; /* angle at the start */
     double start;
     double now;
@@ -88,7 +88,7 @@ typedef struct disc_engine {
     size_t leg_count, leg_capacity;
     engine_ride *rides;
     size_t ride_count, ride_capacity;
-    uint32_t *heads;  /* first ride for disc and side */
+    uint32_t *heads;  /* first ride on a disc */
     uint32_t *stamps; /* the run in which a head was set */
     uint32_t stamp;
     uint32_t arrived; /* the leg that reached the goal, or ENGINE_NONE */

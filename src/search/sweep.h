@@ -1,9 +1,13 @@
 /*
- * What has been ridden already, for each disc and side.
+ * What has been ridden already, on each disc.
  *
- * All riders of one disc and side turn alike, so two rides either follow each other for good or share nothing. A ride that passed the
- * angle earlier dominates one that passes it later: its rider can go straight outwards and be where the later one is, before it. Only
- * a slower disc that pokes out in between and is swallowed again can stop that; where slower discs exist, it is tested.
+ * Whoever is at a place on a boundary earlier can do whatever a later one can, moved earlier: discs only grow, and the boundary has moved outwards
+ * no faster than a robot. So a ride that comes to a place, an angle on its disc, that another ride passed before has nothing more to find, whichever side the
+ * other rides on: a path that goes on from there arrives later than it could. Riders of one side turn alike, so two rides either follow each other for good or share
+ * nothing; riders of different sides meet once, and both end there.
+ *
+ * Only a slower disc that pokes out in between and is swallowed again can stop the one who goes straight outwards; where slower discs exist, it is tested.
+ * Backwards in time the same holds with "later", for whoever has to leave a place earlier arrives before the arrival asked for.
  */
 #ifndef SEARCH_SWEEP_H
 #define SEARCH_SWEEP_H

@@ -71,7 +71,8 @@ static void a_place_is_covered_once_a_ride_has_passed_it(void **state)
             assert_int_equal(sweep_covers(&w.engine, 0, side, there + lap * GEOM_TURN, passed + 1e-9), 1);
             assert_int_equal(sweep_covers(&w.engine, 0, side, there + lap * GEOM_TURN, passed - 1e-9), 0);
         }
-        assert_int_equal(sweep_covers(&w.engine, 0, -side, there, passed + 1.0), 0);
+        assert_int_equal(sweep_covers(&w.engine, 0, -side, there, passed + 1e-9), 1);
+        assert_int_equal(sweep_covers(&w.engine, 0, -side, there, passed - 1e-9), 0);
         assert_int_equal(sweep_covers(&w.engine, 0, side, normal + side * (turned + 0.01), passed + 9.0), 0);
         assert_int_equal(sweep_covers(&w.engine, 0, side, normal - side * 0.01, passed + 9.0), 0);
         world_free(&w);
@@ -104,6 +105,53 @@ static void a_ride_ends_where_an_earlier_one_began(void **state)
         add(&w, 0, side, normal + side * ahead, chance_between(&chance, 0.0, 1.0), 1.1);
         double end = 1.0 + spiral_duration(disc, 1.0, 0.25);
         assert_near(sweep_cut(&w.engine, late, 1.0, end), 1.0 + spiral_duration(disc, 1.0, ahead), 1e-12);
+        world_free(&w);
+    }
+}
+
+/* Both have turned half the angle between them, or the other ended before. */
+static void rides_of_both_sides_end_where_they_meet(void **state)
+{
+    (void)state;
+    static world w;
+    uint64_t chance = 4;
+    for (int k = 0; k < 300; ++k) {
+        world_make(&w, &alone, 1);
+        const geom_disc *disc = &w.scene->all.forward[0];
+        int side = k % 2 ? 1 : -1;
+        double normal = chance_between(&chance, -3.0, 3.0), apart = chance_between(&chance, 0.2, 3.0), turned = chance_between(&chance, 0.0, 2.0);
+        uint32_t one = add(&w, 0, side, normal, 1.0, 1.0);
+        add(&w, 0, -side, normal + side * apart, 1.0, 1.0 + spiral_duration(disc, 1.0, turned));
+        double met = turned >= 0.5 * apart ? 0.5 * apart : apart - turned;
+        assert_near(sweep_cut(&w.engine, one, 1.0, 9.0), fmin(9.0, 1.0 + spiral_duration(disc, 1.0, met)), 1e-12);
+        world_free(&w);
+    }
+}
+
+static void a_ride_passes_over_one_of_the_other_side_that_started_later(void **state)
+{
+    (void)state;
+    static world w;
+    world_make(&w, &alone, 1);
+    uint32_t early = add(&w, 0, 1, 0.0, 1.0, 1.0);
+    add(&w, 0, -1, 0.1, 5.0, 5.5);
+    assert_exact(sweep_cut(&w.engine, early, 1.0, 1.25), 1.25);
+    world_free(&w);
+}
+
+static void rides_that_part_at_one_place_both_go_on(void **state)
+{
+    (void)state;
+    static world w;
+    uint64_t chance = 5;
+    for (int k = 0; k < 300; ++k) {
+        world_make(&w, &alone, 1);
+        double normal = chance_between(&chance, -3.0, 3.0), start = chance_between(&chance, 0.0, 3.0);
+        uint32_t one = add(&w, 0, 1, normal, start, start);
+        uint32_t other = add(&w, 0, -1, normal + chance_between(&chance, -3e-16, 3e-16), start + chance_between(&chance, -3e-16, 3e-16), start + 0.1);
+        assert_exact(sweep_cut(&w.engine, one, start, start + 0.1), start + 0.1);
+        w.rides[one].now = start + 0.1;
+        assert_true(sweep_cut(&w.engine, other, w.rides[other].start, start + 0.1) > start + 0.09);
         world_free(&w);
     }
 }
@@ -170,6 +218,9 @@ int main(void)
         cmocka_unit_test(a_place_is_covered_once_a_ride_has_passed_it),
         cmocka_unit_test(a_new_run_forgets_what_was_ridden),
         cmocka_unit_test(a_ride_ends_where_an_earlier_one_began),
+        cmocka_unit_test(rides_of_both_sides_end_where_they_meet),
+        cmocka_unit_test(a_ride_passes_over_one_of_the_other_side_that_started_later),
+        cmocka_unit_test(rides_that_part_at_one_place_both_go_on),
         cmocka_unit_test(a_ride_goes_on_past_where_a_later_one_begins),
         cmocka_unit_test(a_ride_that_follows_an_earlier_one_ends_at_once),
         cmocka_unit_test(of_two_rides_together_the_older_goes_on),

@@ -130,7 +130,7 @@ static void an_answer_within_a_hundredth_takes_a_small_part_of_the_work(void **s
     before = labels(w);
     assert_int_equal(tdsp_earliest_arrival_within(w.solver, 0.0, 0.01, &arrival, &lower), TDSP_OK);
     assert_true(was_weighted(w));
-    assert_true(4 * (labels(w) - before) < exact);
+    assert_true(2 * (labels(w) - before) < exact);
     world_free(w);
 }
 

@@ -6,7 +6,7 @@ import subprocess
 PANEL_WIDTH, PANEL_HEIGHT = 600, 460 # pixels
 KEY_WIDTH = 170 # where the key stands beside the panel
 # Told apart by people who see colours differently (Okabe, Ito), and by their marks.
-COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#777777", "#8C6D31")
+COLORS = ("#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9", "#777777", "#8C6D31", "#F0A3FF")
 MARKS = (7, 5, 9, 13, 11, 4, 6, 8)
 HEAVY_COLORS = ("#000000", "#B00000", "#5A189A")
 

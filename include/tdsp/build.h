@@ -28,14 +28,15 @@ typedef struct tdsp_build_world {
 } tdsp_build_world;
 
 /**
- * Called before each call of the oracle (with workers: between batches) with the departure settled so far and the last of all, which
+ * Called before each call of the oracle (with workers: of worker 0, and between batches) with the departure settled so far and the last of all, which
  * is infinite until it is known; a return other than 0 cancels.
  */
 typedef int (*tdsp_progress)(void *ctx, double settled, double all);
 
 /**
  * Called to run task(task_ctx, i, worker) once for each i < count, in any order, and to return when all are done; worker < worker_count
- * says which oracle to use, one task at a time for each. Tasks use the allocator: with threads it must be safe to call from them.
+ * says which oracle to use, one task at a time for each. Worker 0 reports progress: its tasks belong in the calling thread. Tasks use the allocator: with
+ * threads it must be safe to call from them.
  */
 typedef void (*tdsp_task)(void *task_ctx, size_t i, size_t worker);
 typedef void (*tdsp_run_tasks)(void *ctx, tdsp_task task, void *task_ctx, size_t count);

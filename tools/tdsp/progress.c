@@ -66,7 +66,8 @@ void progress_show(Progress *progress, double settled, double all)
     double elapsed = stopwatch_seconds(progress->begun);
     if (elapsed < (progress->visible ? progress->drawn + REDRAWN : FIRST_DRAWN)) return;
     double share = all > 0 && isfinite(all) ? CLAMP(settled / all, 0, 1) : 0;
-    draw(progress, share, elapsed);
+    progress->share = MAX(progress->share, share);
+    draw(progress, progress->share, elapsed);
 }
 
 void progress_end(Progress *progress)

@@ -12,6 +12,7 @@ typedef struct Progress {
     gboolean visible; /* a bar was drawn */
     Stopwatch begun;
     double drawn; /* seconds after the beginning */
+    double share; /* done; several workers settle things in no order, but a bar does not go back */
 } Progress;
 
 Progress progress_begin(const char *what);

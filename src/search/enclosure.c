@@ -1,8 +1,6 @@
 /* A wall about the destination: the argument is in enclosure.h. */
 #include "search/enclosure.h"
 
-#include <string.h>
-
 /* So many discs about the destination are looked at, or a few more. */
 #define WALL 256u
 

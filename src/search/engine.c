@@ -210,9 +210,6 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
     return status == TDSP_OK && is_part && !question->patience && engine->gave_up ? TDSP_NO_ANSWER : status;
 }
 
-/* Scenes of fewer discs are searched before a scout would be back. */
-#define SCOUTED 64u
-
 /* A path across n discs that stand evenly passes about sqrt(n) of them; a scout turns back after passing this many times as many, and a few. */
 #define PATIENCE 1.5
 #define PATIENCE_LEAST 48
@@ -233,7 +230,7 @@ tdsp_status engine_scout(disc_engine *engine, engine_question *question, int *lo
     const disc_set *all = &engine->scene->all;
     engine_question ask = *question;
     *lost = 0;
-    if (all->count <= SCOUTED) return TDSP_OK;
+    if (all->count <= ENGINE_SMALL) return TDSP_OK;
     ask.patience = engine_patience(engine);
     for (size_t i = 0; i < sizeof SCOUTS / sizeof *SCOUTS; ++i) {
         ask.weight = SCOUTS[i];
@@ -301,6 +298,7 @@ void engine_free(disc_engine *engine)
 uint64_t engine_bytes(const disc_engine *engine)
 {
     uint64_t lists = (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
-    return lists + neighbours_bytes(&engine->around_all) + neighbours_bytes(&engine->around_part) + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
+    uint64_t around = neighbours_bytes(&engine->around_all) + neighbours_bytes(&engine->around_part);
+    return lists + around + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
            (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot) + sizeof *engine;
 }

@@ -18,6 +18,9 @@
 #define ENGINE_NONE 0xffffffffu
 #define ENGINE_GOAL 0xfffffffeu /* the disc index of a leg to the goal */
 
+/* Scenes of so few discs are searched whole, before relaxation or a scout would be back. */
+#define ENGINE_SMALL 64u
+
 /* A boundary smaller than this is no place to ride: nobody has to go round it. */
 #define ENGINE_LEAST_RIDE 1e-15
 
@@ -95,9 +98,9 @@ typedef struct disc_engine {
     int gave_up;
     uint64_t part_patience; /* of questions to a part of the scene's discs */
     uint64_t patience;      /* of the run */
-    uint64_t runs;     /* so far */
-    uint64_t chunks;   /* of rides followed, in the run */
-    uint64_t chunks_followed;
+    uint64_t runs;            /* so far */
+    uint64_t chunks;          /* of rides followed in the run */
+    uint64_t chunks_followed; /* ... and in all runs */
     uint64_t legs_tested;
 } disc_engine;
 

@@ -67,9 +67,10 @@ tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reas
 {
     int open, enclosed;
     tdsp_status status = enclosure_test(&solver->enclosure, &solver->engine, departure / solver->scene->time, &enclosed);
-    if (status != TDSP_OK || enclosed) {
+    if (status != TDSP_OK) return status;
+    if (enclosed) {
         *reason = TDSP_CUT_OFF;
-        return status;
+        return TDSP_OK;
     }
     status = stopped_by_cover(solver, departure, &open); /* mostly the cheaper of the two */
     if (status == TDSP_OK && !open) status = open_at_last_moment(solver->scene, &open);

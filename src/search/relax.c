@@ -3,9 +3,6 @@
 
 #include <string.h>
 
-/* Scenes up to this size are searched whole. */
-#define SMALL 64u
-
 /* When a path has met more than this share of the discs, or has been mended this often, the rest is searched at once. */
 #define LARGE_SHARE 8u
 #define ROUNDS 100
@@ -25,7 +22,7 @@ tdsp_status relax_create(relaxation *self, const tdsp_scene *scene)
     uint32_t count = scene->all.count;
     memset(self, 0, sizeof *self);
     self->scene = scene;
-    if (count <= SMALL) return TDSP_OK;
+    if (count <= ENGINE_SMALL) return TDSP_OK;
     self->is_member = memory_array(&scene->allocator, count, 1);
     self->members = memory_array(&scene->allocator, count, sizeof *self->members);
     if (!self->is_member || !self->members) return TDSP_NO_MEMORY;
@@ -111,7 +108,7 @@ tdsp_status relax_run(relaxation *self, disc_engine *engine, relax_question ask,
 {
     const disc_set *all = &self->scene->all;
     self->stage = RELAX_LAST;
-    if (all->count <= SMALL) return ask(ctx, all);
+    if (all->count <= ENGINE_SMALL) return ask(ctx, all);
     relax_clear(self);
     tdsp_status status = relax_rounds(self, engine, &BRIEF, ask, ctx);
     if (status != TDSP_NO_ANSWER) return status;

@@ -129,17 +129,21 @@ tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arriva
     return question.answer;
 }
 
+tdsp_status solver_conclude(tdsp_solver *solver, double departure, double arrival, tdsp_status answer)
+{
+    if (answer == TDSP_OK) return route_keep(solver, departure, arrival);
+    if (answer != TDSP_CUT_OFF) return answer;
+    tdsp_status reason, failure = reason_find(solver, departure, &reason);
+    return failure == TDSP_OK ? reason : failure;
+}
+
 tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
     if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
     double found = INFINITY;
     if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
     tdsp_status status = solver_arrival(solver, departure, &found);
-    if (status == TDSP_OK) status = route_keep(solver, departure, found);
-    if (status == TDSP_CUT_OFF) {
-        tdsp_status failure = reason_find(solver, departure, &status);
-        if (failure != TDSP_OK) status = failure;
-    }
+    status = solver_conclude(solver, departure, found, status);
     if (tdsp_status_is_answer(status)) *arrival = found;
     return status;
 }

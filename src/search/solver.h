@@ -48,6 +48,9 @@ tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *re
 /* Is this time too many journeys away to be answered, in a scene where something grows? */
 int solver_is_far(const tdsp_scene *scene, double time);
 
+/* What to tell of A(t) after a search with this answer: keeps the path, or finds out why there is no way. An answer or an error. */
+tdsp_status solver_conclude(tdsp_solver *solver, double departure, double arrival, tdsp_status answer);
+
 /* Keep the path that the last forward search found for this departure. */
 tdsp_status route_keep(tdsp_solver *solver, double departure, double arrival);
 

@@ -7,10 +7,6 @@
  */
 #include "search/solver.h"
 
-#include <string.h>
-
-#include "search/reason.h"
-
 /* A search that weighs little looks at more than one path across: it has so many times a scout's patience. */
 #define PATIENCE 8u
 
@@ -69,12 +65,7 @@ tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, 
     solver->has_path = 0;
     tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_within, &question);
     if (status != TDSP_OK) return status;
-    status = question.answer;
-    if (status == TDSP_OK) status = route_keep(solver, departure, question.arrival);
-    if (status == TDSP_CUT_OFF) {
-        tdsp_status failure = reason_find(solver, departure, &status);
-        if (failure != TDSP_OK) return failure;
-    }
+    status = solver_conclude(solver, departure, question.arrival, question.answer);
     if (!tdsp_status_is_answer(status)) return status;
     *arrival = status == TDSP_OK ? question.arrival : INFINITY;
     *lower = status == TDSP_OK ? fmin(question.lower, question.arrival) : INFINITY;

@@ -29,7 +29,7 @@ typedef struct tdsp_solver tdsp_solver;
  * @param scene  must outlive the solver; its allocator is used
  * @param out    owned by the caller: tdsp_solver_free(); untouched on error
  * @return TDSP_OK, TDSP_INVALID_ARGUMENT, TDSP_NO_MEMORY. Memory: 13 bytes a disc, 4 more once all discs are searched, and what the questions
- * meet on top: some 5 KB for each disc ridden (tdsp_solver_work_done() tells). Since 0.1.
+ * meet on top: some 4 KB for each disc ridden (tdsp_solver_work_done() tells). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out);
 
@@ -59,7 +59,9 @@ TDSP_API tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure
  * @param delta    from 0 (exact) to 1
  * @param arrival  infinity when there is no way; untouched on error
  * @param lower    likewise
- * @return as tdsp_earliest_arrival(); TDSP_INVALID_ARGUMENT also for a delta out of its range. Since 0.1.
+ * @return as tdsp_earliest_arrival(); TDSP_INVALID_ARGUMENT also for a delta out of its range
+ *
+ * O(n^2 log n) at worst, as tdsp_earliest_arrival(). One thread at a time for a solver. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, double delta, double *arrival, double *lower);
 

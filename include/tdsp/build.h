@@ -52,7 +52,7 @@ typedef struct tdsp_build_options {
     tdsp_build_world world; /* copied into the table's header */
     tdsp_progress progress; /* may be NULL */
     void *progress_ctx;
-    tdsp_run_tasks run_tasks;   /* the caller's threads, for geometric sampling; NULL: everything in this one */
+    tdsp_run_tasks run_tasks;   /* the caller's threads; NULL: everything in this one */
     void *run_tasks_ctx;
     const tdsp_oracle *workers; /* one oracle a worker, equal in what they declare and answer; NULL: only the oracle given */
     size_t worker_count;

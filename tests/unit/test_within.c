@@ -117,7 +117,7 @@ static void a_crowd_is_crossed_as_promised(void **state)
     assert_true(weighted > 20 && open > 40);
 }
 
-static void an_answer_within_a_hundredth_takes_a_small_part_of_the_work(void **state)
+static void an_answer_within_a_hundredth_takes_less_than_half_the_work(void **state)
 {
     (void)state;
     static tdsp_disc discs[MOST];
@@ -391,7 +391,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_small_scene_of_any_kind_is_answered_as_promised),
         cmocka_unit_test(a_crowd_is_crossed_as_promised),
-        cmocka_unit_test(an_answer_within_a_hundredth_takes_a_small_part_of_the_work),
+        cmocka_unit_test(an_answer_within_a_hundredth_takes_less_than_half_the_work),
         cmocka_unit_test(walls_with_gaps_are_passed_as_promised),
         cmocka_unit_test(where_either_end_is_sealed_there_is_no_way),
         cmocka_unit_test(a_ring_that_closes_in_time_cuts_off_and_one_that_does_not_is_passed),

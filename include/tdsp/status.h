@@ -42,6 +42,7 @@ typedef enum tdsp_status {
     TDSP_BAD_PATH = 38,      /* legs that do not join, or run backwards in time */
     TDSP_STALE_TABLE = 39,   /* the table was built for another scene */
     TDSP_BAD_ORACLE = 40,    /* the oracle broke what it declared, e.g. travel times that decrease */
+    TDSP_SHRINKS = 41,       /* the question reaches to a time at which a disc's radius shrinks */
 
     /* The system (64 and on). */
     TDSP_NO_MEMORY = 64, /* the allocator returned NULL */

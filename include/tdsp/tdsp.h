@@ -3,6 +3,7 @@
 #define TDSP_TDSP_H
 
 #include "tdsp/build.h"
+#include "tdsp/growth.h"
 #include "tdsp/oracle.h"
 #include "tdsp/path.h"
 #include "tdsp/scene.h"

@@ -30,7 +30,8 @@ typedef struct tdsp_disc {
 
 /** Values of tdsp_leg.kind. */
 #define TDSP_LEG_LINE 0u /* straight at the robot's top speed */
-#define TDSP_LEG_ARC 1u  /* riding on a disc's boundary while it grows: a logarithmic spiral, or a circle */
+#define TDSP_LEG_ARC 1u  /* riding on a disc's boundary while it grows at one rate: a logarithmic spiral, or a circle */
+#define TDSP_LEG_CURVE 2u /* the same while its rate changes: polynomials of degree 5 in the distance and the angle */
 
 /** The disc index of a leg that rides on no disc. */
 #define TDSP_NO_DISC 0xffffffffu
@@ -42,10 +43,13 @@ typedef struct tdsp_disc {
  * A line is uniform motion from `from` to `to`. On an arc the robot is, at the share x in [0, 1] of the leg's
  * duration, at distance r = radius_from + (radius_to - radius_from) x from `center`, in the direction
  * angle_from + turn * sweep * ln(r / radius_from) / ln(radius_to / radius_from)   (turn * sweep * x where the
- * radii are equal). The members from `center` on are zero for a line.
+ * radii are equal). On a curve, distance and angle turned are the polynomials of degree 5 in time that have, at both ends, the given values
+ * (radius_from and radius_to; 0 and sweep) and these first and second derivatives: rate and bend for the distance r; for the angle
+ * w = sqrt(speed^2 - r'^2) / r and its derivative, as the robot's speed is what the distance leaves to the angle.
+ * The members from `center` on are zero for a line, those from `rate_from` on for an arc.
  */
 typedef struct tdsp_leg {
-    uint32_t kind;       /* TDSP_LEG_LINE or TDSP_LEG_ARC */
+    uint32_t kind;       /* TDSP_LEG_LINE, TDSP_LEG_ARC or TDSP_LEG_CURVE */
     uint32_t disc;       /* index of the disc ridden, as added to the scene; TDSP_NO_DISC for a line */
     int32_t turn;        /* +1 counter-clockwise, -1 clockwise, 0 for a line */
     uint32_t reserved;   /* 0 */
@@ -53,11 +57,16 @@ typedef struct tdsp_leg {
     double end_time;     /* time, not before start_time */
     tdsp_point from;     /* where the robot is at start_time */
     tdsp_point to;       /* where it is at end_time */
-    tdsp_point center;   /* arc: centre of the disc */
-    double radius_from;  /* arc: distance from the centre at start_time, over 0 (robot's radius included) */
-    double radius_to;    /* arc: distance from the centre at end_time */
-    double angle_from;   /* arc: direction of `from` seen from the centre */
-    double sweep;        /* arc: angle turned, not negative */
+    tdsp_point center;   /* arc and curve: centre of the disc */
+    double radius_from;  /* arc and curve: distance from the centre at start_time, over 0 (robot's radius included) */
+    double radius_to;    /* arc and curve: distance from the centre at end_time */
+    double angle_from;   /* arc and curve: direction of `from` seen from the centre */
+    double sweep;        /* arc and curve: angle turned, not negative */
+    double rate_from;    /* curve: the distance's change per time at start_time */
+    double rate_to;      /* curve: at end_time */
+    double bend_from;    /* curve: the rate's change per time at start_time */
+    double bend_to;      /* curve: at end_time */
+    double speed;        /* curve: the robot's, over both rates */
 } tdsp_leg;
 
 /** What an oracle promises about A(t), the earliest arrival, and T(t) = A(t) - t. */

@@ -37,6 +37,7 @@ const char *tdsp_status_name(tdsp_status status)
     case TDSP_BAD_PATH: return "bad_path";
     case TDSP_STALE_TABLE: return "stale_table";
     case TDSP_BAD_ORACLE: return "bad_oracle";
+    case TDSP_SHRINKS: return "shrinks";
     case TDSP_NO_MEMORY: return "no_memory";
     case TDSP_CANCELLED: return "cancelled";
     case TDSP_FAILED: return "failed";
@@ -70,6 +71,7 @@ const char *tdsp_status_text(tdsp_status status)
     case TDSP_BAD_PATH: return "The legs of a path do not join or run backwards in time";
     case TDSP_STALE_TABLE: return "The table was built for another scene";
     case TDSP_BAD_ORACLE: return "The oracle broke what it declared";
+    case TDSP_SHRINKS: return "The answer needs a time at which a disc's radius would shrink";
     case TDSP_NO_MEMORY: return "There is not enough memory";
     case TDSP_CANCELLED: return "Cancelled";
     case TDSP_FAILED: return "A callback failed";

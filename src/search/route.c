@@ -20,7 +20,7 @@ static tdsp_status path_append(tdsp_solver *solver, const tdsp_leg *leg)
 
 static tdsp_leg line_of(const tdsp_solver *solver, const engine_leg *leg)
 {
-    tdsp_leg line = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, 0, 0, {0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0};
+    tdsp_leg line = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC};
     const disc_engine *engine = &solver->engine;
     tdsp_point to = engine->question.goal;
     if (leg->disc != ENGINE_GOAL) {
@@ -36,7 +36,8 @@ static tdsp_leg arc_of(const tdsp_solver *solver, const engine_ride *ride, doubl
 {
     const disc_engine *engine = &solver->engine;
     const geom_disc *disc = engine_disc(engine, ride->disc);
-    tdsp_leg arc = {TDSP_LEG_ARC, relax_given(&solver->relaxation, engine->set, ride->disc), ride->side, 0, ride->start, end, {0, 0}, {0, 0}, {0, 0}, 0, 0, 0, 0};
+    tdsp_leg arc = {.kind = TDSP_LEG_ARC, .turn = ride->side, .start_time = ride->start, .end_time = end};
+    arc.disc = relax_given(&solver->relaxation, engine->set, ride->disc);
     arc.sweep = spiral_angle(disc, ride->start, end);
     arc.angle_from = ride->normal;
     arc.radius_from = disc_radius(disc, ride->start);

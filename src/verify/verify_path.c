@@ -138,8 +138,8 @@ tdsp_verdict check_path(const tdsp_scene *scene, const nearby_index *index, cons
     if (check.verdict.problems) return check.verdict;
     /* A path of no legs stays at the source for a moment. */
     const tdsp_point source = check.journey->source;
-    const tdsp_leg rest = {TDSP_LEG_LINE, TDSP_NO_DISC, 0,   0,   departure, departure, source,
-                           source,        {0.0, 0.0},   0.0, 0.0, 0.0,       0.0};
+    const tdsp_leg rest = {
+        .kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = departure, .end_time = departure, .from = source, .to = source};
     if (count == 0)
         check_legs(&check, &rest, 1, departure, arrival);
     else

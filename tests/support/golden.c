@@ -8,9 +8,9 @@
 #include "table/format.h"
 
 #define LINE(t0, t1, x0, y0, x1, y1) \
-    {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, t0, t1, {x0, y0}, {x1, y1}, {0, 0}, 0, 0, 0, 0}
+    {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = t0, .end_time = t1, .from = {x0, y0}, .to = {x1, y1}}
 #define ARC(which, side, t0, t1, x0, y0, x1, y1, cx, cy, r0, r1, angle, turned) \
-    {TDSP_LEG_ARC, which, side, 0, t0, t1, {x0, y0}, {x1, y1}, {cx, cy}, r0, r1, angle, turned}
+    {.kind = TDSP_LEG_ARC, .disc = which, .turn = side, .start_time = t0, .end_time = t1, .from = {x0, y0}, .to = {x1, y1}, .center = {cx, cy}, .radius_from = r0, .radius_to = r1, .angle_from = angle, .sweep = turned}
 #define LEGS(legs) legs, sizeof legs / sizeof legs[0]
 
 static const tdsp_leg gap_0[] = {LINE(0, 20, -10, 0, 10, 0)};

@@ -10,7 +10,7 @@
 
 static tdsp_leg line(double t0, double t1, tdsp_point from, tdsp_point to)
 {
-    tdsp_leg leg = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, t0, t1, from, to, {0, 0}, 0, 0, 0, 0};
+    tdsp_leg leg = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = t0, .end_time = t1, .from = from, .to = to};
     return leg;
 }
 
@@ -23,7 +23,8 @@ static tdsp_point polar(tdsp_point center, double r, double angle)
 /* An arc whose ends fit its centre, radii and angles. */
 static tdsp_leg arc(double t0, double t1, tdsp_point center, double r0, double r1, double angle, int turn, double sweep)
 {
-    tdsp_leg leg = {TDSP_LEG_ARC, 2, turn, 0, t0, t1, {0, 0}, {0, 0}, center, r0, r1, angle, sweep};
+    tdsp_leg leg = {.kind = TDSP_LEG_ARC, .disc = 2, .turn = turn, .start_time = t0, .end_time = t1, .center = center, .radius_from = r0,
+                    .radius_to = r1, .angle_from = angle, .sweep = sweep};
     leg.from = polar(center, r0, angle);
     leg.to = polar(center, r1, angle + turn * sweep);
     return leg;

@@ -135,7 +135,7 @@ static void at_a_joint_the_robot_is_where_the_second_leg_starts(void **state)
 static void in_a_table_monotone_in_arrival_the_robot_waits_at_the_source(void **state)
 {
     (void)state;
-    const tdsp_leg walk = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, 2, 4, {1, 1}, {3, 1}, {0, 0}, 0, 0, 0, 0};
+    const tdsp_leg walk = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = 2, .end_time = 4, .from = {1, 1}, .to = {3, 1}};
     const writer_row rows[] = {{0, 3, 3, NULL, 0, NULL, 0}, {2, 2, 2, &walk, 1, NULL, 0}};
     writer_header header = golden_tables[1].header;
     tdsp_table table;

@@ -64,7 +64,7 @@ static size_t random_path(uint64_t *chance, tdsp_leg *legs, double departure, do
     double time = departure, end = departure + left;
     tdsp_point at = {chance_between(chance, -1, 1), chance_between(chance, -1, 1)};
     for (size_t i = 0; i < count; i++) {
-        tdsp_leg leg = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, time, time, at, {0, 0}, {0, 0}, 0, 0, 0, 0};
+        tdsp_leg leg = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = time, .end_time = time, .from = at};
         leg.end_time = i + 1 == count ? end : chance_between(chance, time, end);
         leg.to.x = chance_between(chance, -1, 1);
         leg.to.y = chance_between(chance, -1, 1);
@@ -128,8 +128,9 @@ static void any_well_formed_path_comes_out_to_the_bit(void **state)
 static void a_leg_that_is_not_well_formed_or_does_not_join_is_refused_and_nothing_added(void **state)
 {
     (void)state;
-    const tdsp_leg line = {TDSP_LEG_LINE, TDSP_NO_DISC, 0, 0, 0, 1, {0, 0}, {1, 0}, {0, 0}, 0, 0, 0, 0};
-    const tdsp_leg arc = {TDSP_LEG_ARC, 5, 1, 0, 1, 2, {1, 0}, {2, 0}, {1, 1}, 1, 1.5, 0, 1};
+    const tdsp_leg line = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .end_time = 1, .to = {1, 0}};
+    const tdsp_leg arc = {.kind = TDSP_LEG_ARC, .disc = 5, .turn = 1, .start_time = 1, .end_time = 2, .from = {1, 0},
+                          .to = {2, 0}, .center = {1, 1}, .radius_from = 1, .radius_to = 1.5, .sweep = 1};
     writer *w;
     assert_int_equal(writer_create(NULL, &w), TDSP_OK);
     for (int fault = 0; fault < 22; fault++) {

@@ -1,0 +1,33 @@
+/*
+ * Real roots of polynomials, none missed.
+ *
+ * On an interval a polynomial lies between the least and the greatest of its Bernstein coefficients, and changes its sign no more often than they do:
+ * halving the interval until they change it not at all or once isolates every crossing, and a bracketed Newton finds it.
+ */
+#ifndef GEOM_POLYNOMIAL_H
+#define GEOM_POLYNOMIAL_H
+
+#define POLYNOMIAL_DEGREE 18
+
+typedef struct polynomial {
+    int degree;
+    double c[POLYNOMIAL_DEGREE + 1]; /* of the powers */
+} polynomial;
+
+double polynomial_value(const polynomial *p, double x);
+
+/* The product; the degrees together are at most POLYNOMIAL_DEGREE. */
+polynomial polynomial_times(const polynomial *p, const polynomial *q);
+
+polynomial polynomial_derivative(const polynomial *p);
+
+/*
+ * The places in (from, to) where p changes its sign, in order; returns how many. A double root where it touches zero without crossing, or two
+ * roots closer than 2^-46 of the interval, may be left out or reported. Both ends are finite.
+ */
+int polynomial_roots(const polynomial *p, double from, double to, double roots[POLYNOMIAL_DEGREE]);
+
+/* A lower bound on p over [from, to], tight as the interval shrinks. */
+double polynomial_least(const polynomial *p, double from, double to);
+
+#endif

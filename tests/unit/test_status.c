@@ -35,6 +35,7 @@ static const struct {
     {TDSP_BAD_PATH, 38, "bad_path"},
     {TDSP_STALE_TABLE, 39, "stale_table"},
     {TDSP_BAD_ORACLE, 40, "bad_oracle"},
+    {TDSP_SHRINKS, 41, "shrinks"},
     {TDSP_NO_MEMORY, 64, "no_memory"},
     {TDSP_CANCELLED, 65, "cancelled"},
     {TDSP_FAILED, 66, "failed"},
@@ -73,7 +74,7 @@ static void each_text_is_one_sentence_of_its_own_without_a_full_stop(void **stat
 static void a_value_outside_the_enumeration_is_unknown(void **state)
 {
     (void)state;
-    const int outside[] = {-1, 8, 15, 22, 31, 41, 63, 67, 1000};
+    const int outside[] = {-1, 8, 15, 22, 31, 42, 63, 67, 1000};
     for (size_t i = 0; i < sizeof outside / sizeof outside[0]; i++) {
         assert_string_equal(tdsp_status_name((tdsp_status)outside[i]), "unknown");
         assert_string_equal(tdsp_status_text((tdsp_status)outside[i]), "Unknown status");

@@ -285,7 +285,7 @@ $(CHECK)/links.result: ; $(RUN) $(PYTHON) tests/check_links.py
 $(CHECK)/headers.result: ; $(RUN) bash -c 'tests/headers/check.sh gcc g++; a=$$?; tests/headers/check.sh $(CLANG) $(CLANGXX) || a=1; exit $$a'
 $(CHECK)/objects.result: all ; $(RUN) $(PYTHON) tests/check_objects.py $(BUILD)
 $(CHECK)/examples.result: $(EXAMPLES) ; $(RUN) tests/check_examples.sh $(BUILD)/examples
-$(CHECK)/snippets.result: all ; $(RUN) $(PYTHON) tests/check_snippets.py $(BUILD) README.md $(sort $(wildcard docs/*.md))
+$(CHECK)/snippets.result: all ; $(RUN) $(PYTHON) tests/check_snippets.py $(BUILD) README.md $(sort $(wildcard docs/*.md docs/math/*.md))
 $(CHECK)/gates.result: $(BUILD)/tests/bench/gates ; $(RUN) $(call GATES,check)
 $(CHECK)/bench.result: bench-programs ; $(RUN) tests/bench/check.sh $(BUILD)
 $(CHECK)/install.result: all ; $(RUN) tests/install/check.sh $(MAKE) $(BUILD)

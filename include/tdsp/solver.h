@@ -107,7 +107,7 @@ TDSP_API tdsp_status tdsp_solver_path(const tdsp_solver *solver, tdsp_leg *legs,
 typedef struct tdsp_solver_work {
     uint64_t forward_searches; /* evaluations of A(t), not counting those among only a part of the discs that was still growing */
     uint64_t reverse_searches; /* searches backwards in time, likewise; gap events included */
-    uint64_t rounds;           /* questions put to a part of the discs (docs/math.md: relaxation) */
+    uint64_t rounds;           /* questions put to a part of the discs (docs/math/search.md, 7.5: relaxation) */
     uint64_t labels;           /* labels taken from the heap */
     uint64_t legs_tested;      /* straight legs tested against the discs */
     uint64_t bytes;            /* memory held by the solver now */

@@ -15,7 +15,7 @@
  *     dh/dt = -rho sin(theta_i) sin(theta_j) L / (R_i sqrt(|D|^2 - K^2))
  *
  * which keeps its sign while L > 0: on each piece of the domain rho h falls, and has at most one root.
- * Derivation: docs/math.md.
+ * Derivation: docs/math/motion.md, 3.
  */
 #ifndef GEOM_TANGENT_H
 #define GEOM_TANGENT_H

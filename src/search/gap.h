@@ -7,7 +7,7 @@
  *     |D|^2 = R_i^2 + R_j^2 - 2 R_i R_j cos(theta_i + theta_j)
  *
  * and the corner lies on disc i at the normal n_i = D / (R_i - R_j exp(i s (theta_i + theta_j))), made unit, with the robot's heading
- * n_i turned by s theta_i: disc i on its left for s = +1, disc j on the other side. Derivation: docs/math.md.
+ * n_i turned by s theta_i: disc i on its left for s = +1, disc j on the other side. Derivation: docs/math/arrival.md, 5.4.
  */
 #ifndef SEARCH_GAP_H
 #define SEARCH_GAP_H

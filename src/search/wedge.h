@@ -7,7 +7,7 @@
  *     b + asin(k) - lean       k = (R_i cos(alpha) - R_j) / D, alpha of the own side
  *     b - asin(k) + lean       alpha of the other side,        lean = asin(c_j)
  *
- * (docs/math.md, 3.4). k is linear in time, so its values at the chunk's ends bound each heading: a leg leaves the chunk only where these bounds meet
+ * (docs/math/search.md, 7.4). k is linear in time, so its values at the chunk's ends bound each heading: a leg leaves the chunk only where these bounds meet
  * the wedge. Between the two headings every ray runs into the disc; that is what the skyline is told.
  */
 #ifndef SEARCH_WEDGE_H

@@ -8,6 +8,12 @@
  *
  * which loses nothing as g -> 0, where ln(r / r0) / ln(r1 / r0) would become 0 / 0. Below |g| = 1e-8 the O(g^2) is
  * under rounding and the series is used. Both ends are returned as stored, so that legs join exactly.
+ *
+ * On a curve distance and angle are the quintic Hermite polynomials of tdsp/types.h. For an f with f(0) = f0 and f(1) = f1, first derivatives a, b
+ * and second derivatives c, d with respect to the share x, take away the parabola that fits the start: what is left is x^3 times a parabola whose
+ * value, slope and bend at 1 are those of D = f1 - f0 - a - c / 2, E = b - a - c and F = d - c:
+ *
+ *     f(x) = f0 + x (a + x (c / 2 + x ((10 D - 4 E + F / 2) + x ((-15 D + 7 E - F) + x (6 D - 3 E + F / 2)))))
  */
 #include "tdsp/path.h"
 
@@ -30,6 +36,57 @@ static tdsp_point path_on_arc(const tdsp_leg *leg, double x)
     return p;
 }
 
+/* The motion at one end of a curve, per leg's duration instead of per time. */
+typedef struct path_end {
+    double value;
+    double slope;
+    double bend;
+} path_end;
+
+static double path_hermite(const path_end *from, const path_end *to, double x)
+{
+    double d = to->value - from->value - from->slope - from->bend / 2;
+    double e = to->slope - from->slope - from->bend;
+    double f = to->bend - from->bend;
+    double cubic = 10 * d - 4 * e + f / 2 + x * (-15 * d + 7 * e - f + x * (6 * d - 3 * e + f / 2));
+    return from->value + x * (from->slope + x * (from->bend / 2 + x * cubic));
+}
+
+/*
+ * The angle turned at an end: w = s / r with s = sqrt(v^2 - r'^2), and w' = -r' r'' / (s r) - r' w / r. The factors of s^2 are exact where
+ * r' is near v, and so ordered nothing overflows that is not as large itself.
+ */
+static path_end path_turned(double turned, double speed, double radius, double rate, double bend, double duration)
+{
+    double across = speed * sqrt((speed - rate) / speed * ((speed + rate) / speed));
+    double w = across / radius;
+    path_end end = {turned, w * duration, (-(rate / across) * (bend / radius) - rate / radius * w) * duration * duration};
+    return end;
+}
+
+static double path_curve_distance(const tdsp_leg *leg, double duration, double x)
+{
+    double square = duration * duration;
+    path_end from = {leg->radius_from, leg->rate_from * duration, leg->bend_from * square};
+    path_end to = {leg->radius_to, leg->rate_to * duration, leg->bend_to * square};
+    return path_hermite(&from, &to, x);
+}
+
+static double path_curve_turned(const tdsp_leg *leg, double duration, double x)
+{
+    path_end from = path_turned(0, leg->speed, leg->radius_from, leg->rate_from, leg->bend_from, duration);
+    path_end to = path_turned(leg->sweep, leg->speed, leg->radius_to, leg->rate_to, leg->bend_to, duration);
+    return path_hermite(&from, &to, x);
+}
+
+static tdsp_point path_on_curve(const tdsp_leg *leg, double duration, double x)
+{
+    double r = path_curve_distance(leg, duration, x);
+    double angle = leg->angle_from + leg->turn * path_curve_turned(leg, duration, x);
+    tdsp_point p = {leg->center.x + r * cos(angle), leg->center.y + r * sin(angle)};
+    return p;
+}
+
 /* A convex combination, which cannot overflow where a difference of coordinates can. */
 static tdsp_point path_on_line(const tdsp_leg *leg, double x)
 {
@@ -41,8 +98,13 @@ tdsp_point tdsp_leg_position(const tdsp_leg *leg, double time)
 {
     if (!(time > leg->start_time)) return leg->from;
     if (time >= leg->end_time) return leg->to;
-    double x = (time - leg->start_time) / (leg->end_time - leg->start_time);
-    return leg->kind == TDSP_LEG_ARC ? path_on_arc(leg, x) : path_on_line(leg, x);
+    double duration = leg->end_time - leg->start_time;
+    double x = (time - leg->start_time) / duration;
+    switch (leg->kind) {
+    case TDSP_LEG_ARC: return path_on_arc(leg, x);
+    case TDSP_LEG_CURVE: return path_on_curve(leg, duration, x);
+    default: return path_on_line(leg, x);
+    }
 }
 
 tdsp_leg tdsp_leg_shifted(const tdsp_leg *leg, double delay)

@@ -4,6 +4,7 @@
 #include <float.h>
 
 #include "support/chance.h"
+#include "support/curve.h"
 #include "tdsp/path.h"
 
 #define PI 3.14159265358979323846
@@ -23,8 +24,16 @@ static tdsp_point polar(tdsp_point center, double r, double angle)
 /* An arc whose ends fit its centre, radii and angles. */
 static tdsp_leg arc(double t0, double t1, tdsp_point center, double r0, double r1, double angle, int turn, double sweep)
 {
-    tdsp_leg leg = {.kind = TDSP_LEG_ARC, .disc = 2, .turn = turn, .start_time = t0, .end_time = t1, .center = center, .radius_from = r0,
-                    .radius_to = r1, .angle_from = angle, .sweep = sweep};
+    tdsp_leg leg = {.kind = TDSP_LEG_ARC,
+                    .disc = 2,
+                    .turn = turn,
+                    .start_time = t0,
+                    .end_time = t1,
+                    .center = center,
+                    .radius_from = r0,
+                    .radius_to = r1,
+                    .angle_from = angle,
+                    .sweep = sweep};
     leg.from = polar(center, r0, angle);
     leg.to = polar(center, r1, angle + turn * sweep);
     return leg;
@@ -42,12 +51,18 @@ static void assert_same_place(tdsp_point actual, tdsp_point expected)
     assert_exact(actual.y, expected.y);
 }
 
+/* The last but one grows at one rate, the last not at all. */
+static const curve_law laws[] = {
+    {{1, 0.1, 0.02}}, {{0.8, 0, 0.1, -0.01}}, {{2, 0.3, -0.05, 0.02, 0.002}}, {{1, 0.25}}, {{1.5, 0}}};
+enum { LAWS = sizeof laws / sizeof laws[0] };
+
 static void both_ends_of_a_leg_are_exact_and_hold_outside_it(void **state)
 {
     (void)state;
     tdsp_leg legs[] = {line(0.1, 0.7, (tdsp_point){0.3, -0.1}, (tdsp_point){1.1, 1e9}),
-                       arc(0.1, 0.7, (tdsp_point){1, 2}, 0.3, 0.7, 0.123, -1, 2.5)};
-    for (size_t i = 0; i < 2; i++) {
+                       arc(0.1, 0.7, (tdsp_point){1, 2}, 0.3, 0.7, 0.123, -1, 2.5),
+                       curve_leg(&laws[0], (tdsp_point){1, 2}, 1.5, 0.1, 0.7, 0.123, -1)};
+    for (size_t i = 0; i < 3; i++) {
         assert_same_place(tdsp_leg_position(&legs[i], 0.1), legs[i].from);
         assert_same_place(tdsp_leg_position(&legs[i], 0.7), legs[i].to);
         assert_same_place(tdsp_leg_position(&legs[i], -5), legs[i].from);
@@ -143,6 +158,101 @@ static void radii_whose_ratio_overflows_lose_no_accuracy(void **state)
     }
 }
 
+/* The greatest distance between a curve and the ride that it stands for. */
+static double curve_error(const curve_law *law, double start, double end, int turn)
+{
+    const tdsp_point center = {3, -1};
+    tdsp_leg leg = curve_leg(law, center, 1.5, start, end, 1, turn);
+    double worst = 0;
+    for (int i = 1; i < 16; i++) {
+        double t = start + (end - start) * i / 16;
+        tdsp_point at = tdsp_leg_position(&leg, t),
+                   truth = curve_law_place(law, center, t, 1 + turn * curve_law_turned(law, 1.5, start, t));
+        worst = fmax(worst, hypot(at.x - truth.x, at.y - truth.y));
+    }
+    return worst;
+}
+
+static void a_short_curve_is_the_ride_on_a_disc_whose_rate_changes(void **state)
+{
+    (void)state;
+    for (int turn = -1; turn <= 1; turn += 2)
+        for (size_t i = 0; i < LAWS; i++)
+            for (double t = 0; t < 3; t += 0.25) assert_true(curve_error(&laws[i], t, t + 0.01, turn) < 4e-15);
+}
+
+static void a_curve_of_half_the_length_is_64_times_as_close(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < LAWS - 1; i++) {
+        double coarse = curve_error(&laws[i], 0.5, 0.9, 1), fine = curve_error(&laws[i], 0.6, 0.8, 1);
+        assert_true(coarse > 1e-11 && coarse < 1e-4);
+        assert_true(fine < coarse / 40 && fine > coarse / 100);
+    }
+}
+
+static void a_curve_on_a_disc_that_does_not_grow_is_a_circle(void **state)
+{
+    (void)state;
+    tdsp_leg curve = curve_leg(&laws[LAWS - 1], (tdsp_point){1, 2}, 0.7, 1, 5, 0.3, 1);
+    tdsp_leg circle = arc(1, 5, (tdsp_point){1, 2}, 1.5, 1.5, 0.3, 1, curve.sweep);
+    for (double t = 1; t <= 5; t += 0.0625) assert_place(tdsp_leg_position(&curve, t), tdsp_leg_position(&circle, t), 1e-15);
+}
+
+/* Distance and angle turned of a curve, at a place that is less than half a turn from its start. */
+static void curve_polar(const tdsp_leg *leg, double time, double *distance, double *turned)
+{
+    tdsp_point at = tdsp_leg_position(leg, time);
+    double x = at.x - leg->center.x, y = at.y - leg->center.y;
+    *distance = hypot(x, y);
+    *turned = leg->turn * remainder(atan2(y, x) - leg->angle_from, 2 * PI);
+}
+
+/* One-sided differences, off by f5 h^4 / 5 and f5 h^3 5 / 6: the fifth derivatives of the curves below are some thousands, the step is 2^-9. */
+static double slope_at(const double f[5], double h)
+{
+    return (-25 * f[0] + 48 * f[1] - 36 * f[2] + 16 * f[3] - 3 * f[4]) / (12 * h);
+}
+
+static double bend_at(const double f[5], double h)
+{
+    return (35 * f[0] - 104 * f[1] + 114 * f[2] - 56 * f[3] + 11 * f[4]) / (12 * h * h);
+}
+
+static void assert_end(const tdsp_leg *leg, double time, double h, double radius, double rate, double bend)
+{
+    double w = sqrt(leg->speed * leg->speed - rate * rate) / radius;
+    double spin = -rate * bend / (w * radius * radius) - rate * w / radius;
+    double distance[5], turned[5];
+    for (int i = 0; i < 5; i++) curve_polar(leg, time + i * h, &distance[i], &turned[i]);
+    assert_near(slope_at(distance, h), rate, 1e-8);
+    assert_near(bend_at(distance, h), bend, 2e-5);
+    assert_near(slope_at(turned, h), w, 1e-8);
+    assert_near(bend_at(turned, h), spin, 2e-5);
+}
+
+static void a_curve_has_the_given_values_and_derivatives_at_both_ends(void **state)
+{
+    (void)state;
+    uint64_t chance = 5;
+    for (int i = 0; i < 100; i++) {
+        tdsp_leg leg = {
+            .kind = TDSP_LEG_CURVE, .turn = i % 2 ? 1 : -1, .start_time = 2, .end_time = 3, .center = {5, 6}, .speed = 1.2};
+        leg.radius_from = chance_between(&chance, 1, 2);
+        leg.radius_to = chance_between(&chance, 1, 2);
+        leg.angle_from = chance_between(&chance, -3, 3);
+        leg.sweep = chance_between(&chance, 0.5, 1);
+        leg.rate_from = chance_between(&chance, -0.5, 1.1);
+        leg.rate_to = chance_between(&chance, -0.5, 1.1);
+        leg.bend_from = chance_between(&chance, -1, 1);
+        leg.bend_to = chance_between(&chance, -1, 1);
+        leg.from = polar(leg.center, leg.radius_from, leg.angle_from);
+        leg.to = polar(leg.center, leg.radius_to, leg.angle_from + leg.turn * leg.sweep);
+        assert_end(&leg, 2, 0x1p-9, leg.radius_from, leg.rate_from, leg.bend_from);
+        assert_end(&leg, 3, -0x1p-9, leg.radius_to, leg.rate_to, leg.bend_to);
+    }
+}
+
 static void a_leg_without_duration_has_two_places(void **state)
 {
     (void)state;
@@ -158,8 +268,10 @@ static void a_shifted_leg_is_at_the_same_place_later(void **state)
     tdsp_leg late = tdsp_leg_shifted(&leg, 8);
     assert_exact(late.start_time, 9.0);
     assert_exact(late.end_time, 11.0);
-    for (double t = 1; t <= 3; t += 0.125)
-        assert_same_place(tdsp_leg_position(&late, t + 8), tdsp_leg_position(&leg, t));
+    for (double t = 1; t <= 3; t += 0.125) assert_same_place(tdsp_leg_position(&late, t + 8), tdsp_leg_position(&leg, t));
+    leg = curve_leg(&laws[1], (tdsp_point){0, 1}, 1.5, 1, 3, 0, 1);
+    late = tdsp_leg_shifted(&leg, 8);
+    for (double t = 1; t <= 3; t += 0.125) assert_same_place(tdsp_leg_position(&late, t + 8), tdsp_leg_position(&leg, t));
 }
 
 /* A chain of random lines and arcs, each starting where the one before ends. */
@@ -240,6 +352,10 @@ int main(void)
         cmocka_unit_test(nearly_equal_radii_lose_no_accuracy),
         cmocka_unit_test(no_valid_arc_gives_a_position_that_is_not_a_number),
         cmocka_unit_test(radii_whose_ratio_overflows_lose_no_accuracy),
+        cmocka_unit_test(a_short_curve_is_the_ride_on_a_disc_whose_rate_changes),
+        cmocka_unit_test(a_curve_of_half_the_length_is_64_times_as_close),
+        cmocka_unit_test(a_curve_on_a_disc_that_does_not_grow_is_a_circle),
+        cmocka_unit_test(a_curve_has_the_given_values_and_derivatives_at_both_ends),
         cmocka_unit_test(a_leg_without_duration_has_two_places),
         cmocka_unit_test(a_shifted_leg_is_at_the_same_place_later),
         cmocka_unit_test(positions_along_a_path_are_those_of_its_legs_and_continuous),

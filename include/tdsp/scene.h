@@ -24,6 +24,12 @@ typedef struct tdsp_journey {
     tdsp_point destination; /* finite; may equal the source */
 } tdsp_journey;
 
+/** A source and a destination among the discs of a scene. */
+typedef struct tdsp_ends {
+    tdsp_point source;
+    tdsp_point destination;
+} tdsp_ends;
+
 /**
  * Make a prepared scene from arrays. The arrays are copied.
  *

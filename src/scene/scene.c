@@ -114,8 +114,13 @@ static void scene_set_frame(tdsp_scene *scene)
     scene->length = fmax(straight, straight > 0.0 ? LEAST_UNIT * extent : extent);
     if (!(scene->length > 0.0)) scene->length = 1.0;
     scene->time = scene->length / scene->journey.speed;
-    scene->source = frame_point(scene, s);
-    scene->destination = frame_point(scene, d);
+}
+
+static void scene_set_ends(tdsp_scene *scene)
+{
+    tdsp_point s = scene->journey.source, d = scene->journey.destination;
+    scene_ends ends = {{s, d}, frame_point(scene, s), frame_point(scene, d), cover_of(scene, s), cover_of(scene, d), scene->time};
+    scene->ends = ends;
 }
 
 /* The discs in the frame, as far as the index needs them. */
@@ -154,9 +159,8 @@ static tdsp_status scene_prepare(tdsp_scene *scene, const tdsp_disc *discs)
     tdsp_status status = scene_copy_discs(scene, discs);
     if (status != TDSP_OK) return status;
     scene->hash = scene_hash(scene);
-    scene->source_cover = cover_of(scene, scene->journey.source);
-    scene->destination_cover = cover_of(scene, scene->journey.destination);
     scene_set_frame(scene);
+    scene_set_ends(scene);
     return scene_prepare_discs(scene);
 }
 
@@ -223,10 +227,10 @@ static double cover_report(scene_cover cover, uint32_t *disc)
 
 double tdsp_scene_source_free_until(const tdsp_scene *scene, uint32_t *disc)
 {
-    return cover_report(scene->source_cover, disc);
+    return cover_report(scene->ends.source_cover, disc);
 }
 
 double tdsp_scene_destination_free_until(const tdsp_scene *scene, uint32_t *disc)
 {
-    return cover_report(scene->destination_cover, disc);
+    return cover_report(scene->ends.destination_cover, disc);
 }

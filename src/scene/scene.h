@@ -19,20 +19,26 @@ typedef struct scene_cover {
     uint32_t disc;
 } scene_cover;
 
+/* The ends of a journey, among the discs of a scene. */
+typedef struct scene_ends {
+    tdsp_ends given;   /* in the user's units */
+    tdsp_point source; /* in the frame */
+    tdsp_point destination;
+    scene_cover source_cover;
+    scene_cover destination_cover;
+    double time; /* what errors are stated in besides the travel time, in the user's units */
+} scene_ends;
+
 struct tdsp_scene {
     tdsp_allocator allocator;
     tdsp_journey journey;
     tdsp_disc *discs; /* as given */
     size_t count;
     uint64_t hash;
-    scene_cover source_cover;
-    scene_cover destination_cover;
-
     tdsp_point origin;
     double length; /* of the frame's unit, in the user's */
     double time;   /* likewise */
-    tdsp_point source; /* in the frame */
-    tdsp_point destination;
+    scene_ends ends; /* of its own journey */
     disc_set all; /* the discs that matter; origin: the index in `discs` */
 };
 
@@ -46,6 +52,12 @@ static inline int scene_covered(scene_cover cover, double time)
 static inline int scene_is_still(const tdsp_scene *scene)
 {
     return scene->all.count == 0 || scene->all.index.nodes[0].rate == 0.0;
+}
+
+/* Do they coincide? */
+static inline int ends_meet(const scene_ends *ends)
+{
+    return point_distance(ends->source, ends->destination) == 0.0;
 }
 
 /* A point of the frame in the user's units. */

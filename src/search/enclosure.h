@@ -16,7 +16,7 @@ typedef struct enclosure {
 } enclosure;
 
 /* *enclosed is 1 when there is no way from the source at `time` (of the frame) to the destination; 0 says nothing. Uses the engine. */
-tdsp_status enclosure_test(enclosure *self, disc_engine *engine, double time, int *enclosed);
+tdsp_status enclosure_test(enclosure *self, disc_engine *engine, const scene_ends *ends, double time, int *enclosed);
 
 void enclosure_free(enclosure *self, const tdsp_allocator *allocator);
 

@@ -65,10 +65,10 @@ static int gap_corner(const geom_disc *i, const geom_disc *j, gap_event *event)
 
 static int gap_useful(const gap_job *job, gap_event *event)
 {
-    const tdsp_scene *scene = job->solver->scene;
-    event->departure = event->time - point_distance(event->place, scene->source);
+    const scene_ends *ends = &job->solver->ends;
+    event->departure = event->time - point_distance(event->place, ends->source);
     if (event->departure <= job->departure) return 0;
-    if (event->time + point_distance(event->place, scene->destination) > job->arrival * (1.0 + GEOM_CONTACT)) return 0;
+    if (event->time + point_distance(event->place, ends->destination) > job->arrival * (1.0 + GEOM_CONTACT)) return 0;
     corner_job corner = {&job->view, event, 0};
     index_near(&job->view, event->place, 0.0, event->time, corner_visit, &corner);
     return !corner.covered;
@@ -101,13 +101,13 @@ static int gap_visit(void *ctx, uint32_t second)
 
 tdsp_status gap_collect(tdsp_solver *solver, const disc_set *set, double departure, double arrival)
 {
-    const tdsp_scene *scene = solver->scene;
+    const scene_ends *ends = &solver->ends;
     gap_job job = {solver, {&set->index, set->forward, 1.0}, 0, departure, arrival, TDSP_OK};
     solver->gap_count = 0;
     for (job.first = 0; job.first < set->count && job.status == TDSP_OK; ++job.first) {
         const geom_disc *disc = &set->forward[job.first];
         double reach = disc_radius(disc, arrival);
-        double way = point_distance(disc->center, scene->source) + point_distance(disc->center, scene->destination);
+        double way = point_distance(disc->center, ends->source) + point_distance(disc->center, ends->destination);
         if (!disc_ridable(disc) || departure + way - 2.0 * reach > arrival) continue;
         index_near(&job.view, disc->center, reach, arrival, gap_visit, &job);
     }

@@ -47,7 +47,7 @@ typedef struct latest_state {
 
 static double latest_slack(const latest_state *state, double share)
 {
-    return share * (state->solver->scene->time + state->arrival - fmax(state->best, 0.0)) + ROUNDING * state->arrival;
+    return share * (state->solver->ends.time + state->arrival - fmax(state->best, 0.0)) + ROUNDING * state->arrival;
 }
 
 /* Ask for A(t) and learn from the answer. *status is an error or TDSP_OK. Returns 1 when t arrives by a. */
@@ -99,9 +99,10 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
 }
 
 /* A question backwards in time: to the source, at a true time that is neither negative nor after it is covered. */
-static engine_question reverse_question(const tdsp_scene *scene, double time, double limit)
+static engine_question reverse_question(const tdsp_solver *solver, double time, double limit)
 {
-    engine_question question = {ENGINE_REVERSE, scene->destination, scene->source, -time, -scene->source_cover.time / scene->time,
+    const scene_ends *ends = &solver->ends;
+    engine_question question = {ENGINE_REVERSE, ends->destination, ends->source, -time, -ends->source_cover.time / solver->scene->time,
                                 0.0, limit, 1.0, 0, 0, NULL, 0};
     return question;
 }
@@ -109,11 +110,11 @@ static engine_question reverse_question(const tdsp_scene *scene, double time, do
 static tdsp_status latest_from_destination(latest_state *state)
 {
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = reverse_question(scene, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = reverse_question(state->solver, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
     double departure;
     tdsp_status status = latest_reverse(state, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
-    latest_try_solved(state, fmin(departure * scene->time, scene->source_cover.time), &status);
+    latest_try_solved(state, fmin(departure * scene->time, state->solver->ends.source_cover.time), &status);
     return status;
 }
 
@@ -121,7 +122,7 @@ static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
 {
     const engine_seed seeds[2] = {{event->first, -event->side, event->normal[0]}, {event->second, event->side, event->normal[1]}};
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = reverse_question(scene, event->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = reverse_question(state->solver, event->time, -fmax(state->best, 0.0) / scene->time);
     question.seeds = seeds;
     question.seed_count = 2;
     event->solved = 1;
@@ -143,10 +144,10 @@ static gap_event *latest_next_gap(const latest_state *state)
 static tdsp_status latest_gap_leads_on(latest_state *state, const gap_event *event, int *leads)
 {
     const engine_seed seeds[2] = {{event->first, event->side, event->normal[0]}, {event->second, -event->side, event->normal[1]}};
-    const tdsp_scene *scene = state->solver->scene;
-    double until = (state->arrival + latest_slack(state, SAME_TIME)) / scene->time;
-    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, event->time, -INFINITY,
-                                fmin(until, scene->destination_cover.time / scene->time), until, 1.0, 0, 0, seeds, 2};
+    const scene_ends *ends = &state->solver->ends;
+    double unit = state->solver->scene->time, until = (state->arrival + latest_slack(state, SAME_TIME)) / unit;
+    engine_question question = {ENGINE_FORWARD, ends->source, ends->destination, event->time, -INFINITY,
+                                fmin(until, ends->destination_cover.time / unit), until, 1.0, 0, 0, seeds, 2};
     tdsp_status status = engine_run(&state->solver->engine, state->set, &question);
     *leads = status == TDSP_OK && state->solver->engine.arrived != ENGINE_NONE;
     return status;
@@ -207,12 +208,11 @@ static tdsp_status latest_prove(latest_state *state)
 
 static tdsp_status latest_search(latest_state *state)
 {
-    const tdsp_scene *scene = state->solver->scene;
     tdsp_status status = latest_from_destination(state);
     if (status == TDSP_OK && state->best < 0.0 && state->too_late > 0.0) latest_try(state, 0.0, &status);
     if (status != TDSP_OK || state->best < 0.0) return status;
     if (state->arrival - state->arrives <= latest_slack(state, SAME_TIME)) return TDSP_OK;
-    double covered = scene->source_cover.time;
+    double covered = state->solver->ends.source_cover.time;
     if (covered < state->too_late && covered > state->best && covered < state->arrival)
         if (latest_try(state, covered, &status) || status != TDSP_OK) return status;
     status = latest_from_gaps(state);
@@ -260,16 +260,17 @@ static tdsp_status latest_still(latest_state *state, double arrival)
 static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after, double before, latest_state *state)
 {
     const tdsp_scene *scene = solver->scene;
-    double straight = point_distance(scene->source, scene->destination) * scene->time;
-    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, scene->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
+    const scene_ends *ends = &solver->ends;
+    double straight = point_distance(ends->source, ends->destination) * scene->time;
+    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
                           after, before};
     *state = start;
     solver->has_path = 0;
     if (scene_is_still(scene)) return latest_still(state, arrival);
-    if (solver_is_far(scene, fmin(state->arrival, scene->source_cover.time))) return TDSP_NOT_SUPPORTED;
-    if (scene_covered(scene->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
+    if (solver_is_far(solver, fmin(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
+    if (scene_covered(ends->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
     if (straight > 0.0) return relax_run(&solver->relaxation, &solver->engine, ask_latest, state);
-    state->best = state->arrives = fmin(state->arrival, scene->source_cover.time);
+    state->best = state->arrives = fmin(state->arrival, ends->source_cover.time);
     solver->engine.arrived = ENGINE_NONE;
     return route_keep(solver, state->best, state->best);
 }
@@ -351,8 +352,9 @@ static void last_by_cover(tdsp_last_departure *out, tdsp_status reason, scene_co
 static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *out)
 {
     const tdsp_scene *scene = state->solver->scene;
-    if (state->best >= scene->source_cover.time - latest_slack(state, SAME_TIME)) {
-        last_by_cover(out, TDSP_SOURCE_COVERED, scene->source_cover, scene->journey.source);
+    const scene_ends *ends = &state->solver->ends;
+    if (state->best >= ends->source_cover.time - latest_slack(state, SAME_TIME)) {
+        last_by_cover(out, TDSP_SOURCE_COVERED, ends->source_cover, ends->given.source);
         return TDSP_OK;
     }
     if (state->gap) { /* a witness for the cut; read before the next search replaces the set */
@@ -363,15 +365,14 @@ static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *
     }
     tdsp_status status = reason_find(state->solver, state->best + latest_slack(state, PROOF_STEP), &out->reason);
     if (status != TDSP_OK || out->reason == TDSP_CUT_OFF) return status;
-    last_by_cover(out, TDSP_DESTINATION_COVERED, scene->destination_cover, scene->journey.destination);
+    last_by_cover(out, TDSP_DESTINATION_COVERED, ends->destination_cover, ends->given.destination);
     out->other = TDSP_NO_DISC;
     return TDSP_OK;
 }
 
 tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason)
 {
-    const tdsp_scene *scene = solver->scene;
-    latest_state state = {solver, &scene->all, solver->work, scene->destination_cover.time, last, last, INFINITY, NULL, -1.0, INFINITY};
+    latest_state state = {solver, &solver->scene->all, solver->work, solver->ends.destination_cover.time, last, last, INFINITY, NULL, -1.0, INFINITY};
     tdsp_last_departure out;
     tdsp_status status = last_explain(&state, &out);
     if (status == TDSP_OK) *reason = out.reason;
@@ -385,7 +386,7 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
     tdsp_status status = latest_run(solver, INFINITY, -1.0, INFINITY, &state);
     if (status != TDSP_OK) return status;
     if (state.best < 0.0) return latest_refuse(solver, INFINITY);
-    tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, state.arrives, solver->scene->journey.destination};
+    tdsp_last_departure last = {state.best, state.arrives, TDSP_OK, TDSP_NO_DISC, TDSP_NO_DISC, state.arrives, solver->ends.given.destination};
     if (!isinf(state.best)) status = last_explain(&state, &last);
     if (!isinf(state.best) && status == TDSP_OK) status = latest_confirm(&state);
     if (status != TDSP_OK) return status;

@@ -13,7 +13,7 @@
  */
 static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *open)
 {
-    engine_question why = solver_forward_question(solver->scene, departure);
+    engine_question why = solver_forward_question(solver, departure);
     why.explain = 1;
     why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + fabs(why.goal_until));
     tdsp_status status = engine_run(&solver->engine, &solver->scene->all, &why);
@@ -22,8 +22,10 @@ static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *
 }
 
 /* The discs as they are at a time, as a scene of their own. */
-static tdsp_status scene_at(const tdsp_scene *scene, double time, tdsp_scene **still)
+static tdsp_status scene_at(const tdsp_solver *solver, double time, tdsp_scene **still)
 {
+    const tdsp_scene *scene = solver->scene;
+    const tdsp_journey journey = {scene->journey.speed, scene->journey.radius, solver->ends.given.source, solver->ends.given.destination};
     tdsp_disc *discs = memory_array(&scene->allocator, scene->count, sizeof *discs);
     if (!discs) return TDSP_NO_MEMORY;
     for (size_t i = 0; i < scene->count; ++i) {
@@ -31,7 +33,7 @@ static tdsp_status scene_at(const tdsp_scene *scene, double time, tdsp_scene **s
         discs[i].radius += discs[i].growth * time;
         discs[i].growth = 0.0;
     }
-    tdsp_status status = tdsp_scene_create(&scene->journey, discs, scene->count, &scene->allocator, still);
+    tdsp_status status = tdsp_scene_create(&journey, discs, scene->count, &scene->allocator, still);
     memory_free(&scene->allocator, discs, scene->count * sizeof *discs);
     return status;
 }
@@ -49,14 +51,14 @@ static tdsp_status still_open(const tdsp_scene *still, int *open)
     return tdsp_status_is_answer(status) ? TDSP_OK : status;
 }
 
-static tdsp_status open_at_last_moment(const tdsp_scene *scene, int *open)
+static tdsp_status open_at_last_moment(const tdsp_solver *solver, int *open)
 {
-    double last = scene->destination_cover.time;
-    double before = last - JUST_BEFORE * (scene->time + last);
+    double last = solver->ends.destination_cover.time;
+    double before = last - JUST_BEFORE * (solver->ends.time + last);
     tdsp_scene *still;
     *open = 0;
     if (!(before >= 0.0) || isinf(last)) return TDSP_OK;
-    tdsp_status status = scene_at(scene, before, &still);
+    tdsp_status status = scene_at(solver, before, &still);
     if (status != TDSP_OK) return status;
     status = still_open(still, open);
     tdsp_scene_free(still);
@@ -66,14 +68,14 @@ static tdsp_status open_at_last_moment(const tdsp_scene *scene, int *open)
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
     int open, enclosed;
-    tdsp_status status = enclosure_test(&solver->enclosure, &solver->engine, departure / solver->scene->time, &enclosed);
+    tdsp_status status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, departure / solver->scene->time, &enclosed);
     if (status != TDSP_OK) return status;
     if (enclosed) {
         *reason = TDSP_CUT_OFF;
         return TDSP_OK;
     }
     status = stopped_by_cover(solver, departure, &open); /* mostly the cheaper of the two */
-    if (status == TDSP_OK && !open) status = open_at_last_moment(solver->scene, &open);
+    if (status == TDSP_OK && !open) status = open_at_last_moment(solver, &open);
     if (status == TDSP_OK) *reason = open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
     return status;
 }

@@ -85,14 +85,14 @@ static void path_finish(tdsp_solver *solver, double departure, double arrival)
 {
     const tdsp_scene *scene = solver->scene;
     double start = solver->engine.question.time;
-    tdsp_point at = scene->journey.source;
+    tdsp_point at = solver->ends.given.source;
     double now = departure;
     for (size_t i = 0; i < solver->path_count; ++i) {
         tdsp_leg *leg = &solver->path[i];
         int last = i + 1 == solver->path_count;
         leg->from = at;
         leg->start_time = now;
-        leg->to = at = last ? scene->journey.destination : scene_place(scene, leg->to);
+        leg->to = at = last ? solver->ends.given.destination : scene_place(scene, leg->to);
         leg->end_time = now = last ? arrival : fmax(now, departure + (leg->end_time - start) * scene->time);
         if (leg->kind != TDSP_LEG_ARC) continue;
         const tdsp_disc *disc = &scene->discs[leg->disc];

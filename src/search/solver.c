@@ -17,6 +17,7 @@ tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
     if (!solver) return TDSP_NO_MEMORY;
     memset(solver, 0, sizeof *solver);
     solver->scene = scene;
+    solver->ends = scene->ends;
     tdsp_status status = engine_create(&solver->engine, scene);
     if (status == TDSP_OK) status = relax_create(&solver->relaxation, scene);
     if (status != TDSP_OK) {
@@ -42,25 +43,28 @@ void tdsp_solver_free(tdsp_solver *solver)
 /* From here on a double no longer tells the moments of one journey apart. */
 #define FAR_AWAY 1099511627776.0 /* 2^40 */
 
-int solver_is_far(const tdsp_scene *scene, double time)
+int solver_is_far(const tdsp_solver *solver, double time)
 {
-    return !scene_is_still(scene) && time > FAR_AWAY * scene->time && !scene_covered(scene->source_cover, time);
+    const tdsp_scene *scene = solver->scene;
+    return !scene_is_still(scene) && time > FAR_AWAY * scene->time && !scene_covered(solver->ends.source_cover, time);
 }
 
-engine_question solver_forward_question(const tdsp_scene *scene, double departure)
+engine_question solver_forward_question(const tdsp_solver *solver, double departure)
 {
-    double until = scene->destination_cover.time / scene->time;
+    const tdsp_scene *scene = solver->scene;
+    const scene_ends *ends = &solver->ends;
+    double until = ends->destination_cover.time / scene->time;
     until += GEOM_CONTACT * fabs(until); /* the last robot meets the disc that covers the destination: a touch */
     double time = scene_is_still(scene) ? 0.0 : departure / scene->time; /* where nothing grows one time is as good as another */
-    engine_question question = {ENGINE_FORWARD, scene->source, scene->destination, time, -INFINITY, until,
+    engine_question question = {ENGINE_FORWARD, ends->source, ends->destination, time, -INFINITY, until,
                                 until, 1.0, 0, 0, NULL, 0};
     return question;
 }
 
-double solver_time_of(const tdsp_scene *scene, double departure, double began, double time)
+double solver_time_of(const tdsp_solver *solver, double departure, double began, double time)
 {
-    double found = departure + (time - began) * scene->time;
-    return fmin(found, fmax(departure, scene->destination_cover.time));
+    double found = departure + (time - began) * solver->scene->time;
+    return fmin(found, fmax(departure, solver->ends.destination_cover.time));
 }
 
 /* Where the scouts are lost the destination may be walled in; if it is not, relaxation has another try. */
@@ -69,7 +73,7 @@ static tdsp_status solver_scout(tdsp_solver *solver, engine_question *question)
     int lost;
     tdsp_status status = engine_scout(&solver->engine, question, &lost);
     if (status != TDSP_OK || !lost) return status;
-    status = enclosure_test(&solver->enclosure, &solver->engine, question->time, &solver->is_enclosed);
+    status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, question->time, &solver->is_enclosed);
     return status == TDSP_OK && !solver->is_enclosed ? TDSP_NO_ANSWER : status;
 }
 
@@ -83,22 +87,21 @@ static tdsp_status solver_run(tdsp_solver *solver, const disc_set *set, engine_q
 
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival)
 {
-    const tdsp_scene *scene = solver->scene;
     solver->engine.arrived = ENGINE_NONE;
     solver->is_enclosed = 0;
-    if (scene_covered(scene->source_cover, departure)) return TDSP_SOURCE_COVERED;
-    if (point_distance(scene->source, scene->destination) == 0.0) {
+    if (scene_covered(solver->ends.source_cover, departure)) return TDSP_SOURCE_COVERED;
+    if (ends_meet(&solver->ends)) {
         *arrival = departure;
         return TDSP_OK;
     }
-    engine_question question = solver_forward_question(scene, departure);
-    double latest = question.time + (until - departure) / scene->time;
+    engine_question question = solver_forward_question(solver, departure);
+    double latest = question.time + (until - departure) / solver->scene->time;
     question.limit = fmin(question.limit, latest + GEOM_CONTACT * fabs(latest));
     ++solver->work.forward_searches;
     tdsp_status status = solver_run(solver, set, &question);
     if (status != TDSP_OK) return status;
     if (solver->engine.arrived == ENGINE_NONE) return TDSP_CUT_OFF;
-    *arrival = solver_time_of(scene, departure, question.time, engine_arrival(&solver->engine));
+    *arrival = solver_time_of(solver, departure, question.time, engine_arrival(&solver->engine));
     return TDSP_OK;
 }
 
@@ -141,7 +144,7 @@ tdsp_status tdsp_earliest_arrival(tdsp_solver *solver, double departure, double 
 {
     if (!solver || !arrival || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
     double found = INFINITY;
-    if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
+    if (solver_is_far(solver, departure)) return TDSP_NOT_SUPPORTED;
     tdsp_status status = solver_arrival(solver, departure, &found);
     status = solver_conclude(solver, departure, found, status);
     if (tdsp_status_is_answer(status)) *arrival = found;
@@ -183,7 +186,7 @@ static tdsp_status oracle_within(void *ctx, double departure, double delta, doub
 {
     tdsp_solver *solver = ctx;
     double found = INFINITY;
-    if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
+    if (solver_is_far(solver, departure)) return TDSP_NOT_SUPPORTED;
     solver->patience = ORACLE_PATIENCE;
     solver->engine.gave_up = 0;
     tdsp_status status = solver_arrival(solver, departure, &found);
@@ -227,7 +230,7 @@ tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
     out->ctx = solver;
     out->monotone = TDSP_MONOTONE_TRAVEL;
     out->error = TDSP_SOLVER_ERROR;
-    out->time_scale = solver->scene->time;
+    out->time_scale = solver->ends.time;
     out->earliest_arrival = oracle_arrival;
     out->latest_departure = oracle_departure;
     out->path = oracle_path;

@@ -8,6 +8,7 @@
 
 struct tdsp_solver {
     const tdsp_scene *scene;
+    scene_ends ends; /* of the question under way */
     disc_engine engine;
     relaxation relaxation;
     enclosure enclosure;
@@ -28,10 +29,10 @@ struct tdsp_solver {
 tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double departure, double until, double *arrival);
 
 /* The engine's question behind solver_forward(). */
-engine_question solver_forward_question(const tdsp_scene *scene, double departure);
+engine_question solver_forward_question(const tdsp_solver *solver, double departure);
 
 /* A time of the frame in a search that began at `began` for this departure, in the user's units. */
-double solver_time_of(const tdsp_scene *scene, double departure, double began, double time);
+double solver_time_of(const tdsp_solver *solver, double departure, double began, double time);
 
 /* As solver_forward() among all discs, by relaxation. */
 tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival);
@@ -46,7 +47,7 @@ tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double
 tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason);
 
 /* Is this time too many journeys away to be answered, in a scene where something grows? */
-int solver_is_far(const tdsp_scene *scene, double time);
+int solver_is_far(const tdsp_solver *solver, double time);
 
 /* What to tell of A(t) after a search with this answer: keeps the path, or finds out why there is no way. An answer or an error. */
 tdsp_status solver_conclude(tdsp_solver *solver, double departure, double arrival, tdsp_status answer);

@@ -28,7 +28,7 @@ static tdsp_status run_weighted(tdsp_solver *solver, engine_question *question)
     question->patience = is_brief ? PATIENCE * engine_patience(engine) : 0;
     tdsp_status status = engine_run(engine, &solver->scene->all, question);
     if (status != TDSP_OK || !engine->gave_up) return status;
-    status = enclosure_test(&solver->enclosure, engine, question->time, &solver->is_enclosed);
+    status = enclosure_test(&solver->enclosure, engine, &solver->ends, question->time, &solver->is_enclosed);
     return status == TDSP_OK && !solver->is_enclosed ? TDSP_NO_ANSWER : status;
 }
 
@@ -36,14 +36,13 @@ static tdsp_status ask_within(void *ctx, const disc_set *set)
 {
     within_question *self = ctx;
     tdsp_solver *solver = self->solver;
-    const tdsp_scene *scene = solver->scene;
     solver->work = self->before;
-    if (set != &scene->all || scene_covered(scene->source_cover, self->departure) || point_distance(scene->source, scene->destination) == 0.0) {
+    if (set != &solver->scene->all || scene_covered(solver->ends.source_cover, self->departure) || ends_meet(&solver->ends)) {
         self->answer = solver_forward(solver, set, self->departure, INFINITY, &self->arrival);
         if (self->answer == TDSP_OK) self->lower = fmax(self->lower, self->arrival);
         return tdsp_status_is_answer(self->answer) ? TDSP_OK : self->answer;
     }
-    engine_question question = solver_forward_question(scene, self->departure);
+    engine_question question = solver_forward_question(solver, self->departure);
     question.weight = 1.0 + self->delta;
     solver->is_enclosed = 0;
     ++solver->work.forward_searches;
@@ -51,8 +50,8 @@ static tdsp_status ask_within(void *ctx, const disc_set *set)
     if (status != TDSP_OK) return status;
     self->answer = solver->engine.arrived == ENGINE_NONE ? TDSP_CUT_OFF : TDSP_OK;
     if (self->answer != TDSP_OK) return TDSP_OK;
-    self->arrival = solver_time_of(scene, self->departure, question.time, engine_arrival(&solver->engine));
-    self->lower = fmax(self->lower, solver_time_of(scene, self->departure, question.time, engine_lower_bound(&solver->engine)));
+    self->arrival = solver_time_of(solver, self->departure, question.time, engine_arrival(&solver->engine));
+    self->lower = fmax(self->lower, solver_time_of(solver, self->departure, question.time, engine_lower_bound(&solver->engine)));
     return TDSP_OK;
 }
 
@@ -60,7 +59,7 @@ tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, 
 {
     if (!solver || !arrival || !lower || !(departure >= 0.0) || isinf(departure) || !(delta >= 0.0 && delta <= 1.0))
         return TDSP_INVALID_ARGUMENT;
-    if (solver_is_far(solver->scene, departure)) return TDSP_NOT_SUPPORTED;
+    if (solver_is_far(solver, departure)) return TDSP_NOT_SUPPORTED;
     within_question question = {solver, solver->work, departure, delta, INFINITY, departure, TDSP_OK};
     solver->has_path = 0;
     tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_within, &question);

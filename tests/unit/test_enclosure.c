@@ -18,7 +18,7 @@ static const tdsp_journey across = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
 static int is_enclosed(world w, double departure)
 {
     int enclosed = 7;
-    assert_int_equal(enclosure_test(&w.solver->enclosure, &w.solver->engine, departure / w.scene->time, &enclosed), TDSP_OK);
+    assert_int_equal(enclosure_test(&w.solver->enclosure, &w.solver->engine, &w.solver->ends, departure / w.scene->time, &enclosed), TDSP_OK);
     assert_true(enclosed == 0 || enclosed == 1);
     return enclosed;
 }
@@ -213,10 +213,10 @@ static void a_test_without_memory_is_told_and_can_be_made_again(void **state)
         int enclosed = 0;
         assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
         heap.refuse = heap.calls + refuse;
-        status = enclosure_test(&solver->enclosure, &solver->engine, 0.0, &enclosed);
+        status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, 0.0, &enclosed);
         heap.refuse = 0;
         assert_int_equal(enclosed, status == TDSP_OK);
-        if (status != TDSP_OK) assert_int_equal(enclosure_test(&solver->enclosure, &solver->engine, 0.0, &enclosed), TDSP_OK);
+        if (status != TDSP_OK) assert_int_equal(enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, 0.0, &enclosed), TDSP_OK);
         assert_int_equal(enclosed, 1);
         tdsp_solver_free(solver);
     }

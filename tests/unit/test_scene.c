@@ -195,9 +195,9 @@ static void the_frame_is_centred_on_the_journey_and_as_long_as_it(void **state)
     (void)state;
     tdsp_scene *scene;
     assert_int_equal(tdsp_scene_create(&good_journey, &good_disc, 1, NULL, &scene), TDSP_OK);
-    assert_near(point_distance(scene->source, scene->destination), 1.0, 1e-15);
-    assert_near(point_distance(scene_place(scene, scene->source), good_journey.source), 0.0, 1e-14);
-    assert_near(point_distance(scene_place(scene, scene->destination), good_journey.destination), 0.0, 1e-14);
+    assert_near(point_distance(scene->ends.source, scene->ends.destination), 1.0, 1e-15);
+    assert_near(point_distance(scene_place(scene, scene->ends.source), good_journey.source), 0.0, 1e-14);
+    assert_near(point_distance(scene_place(scene, scene->ends.destination), good_journey.destination), 0.0, 1e-14);
     assert_near(scene->time * good_journey.speed, scene->length, 1e-15);
     assert_near(scene->length, hypot(8.0, 3.0), 1e-14);
     const geom_disc *disc = &scene->all.forward[0];

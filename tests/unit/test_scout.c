@@ -51,7 +51,7 @@ static int scouts_back;
 static void check_scouts(world w, double departure)
 {
     disc_engine *engine = &w.solver->engine;
-    engine_question alone = solver_forward_question(w.scene, departure), scouted = alone;
+    engine_question alone = solver_forward_question(w.solver, departure), scouted = alone;
     int lost = 7;
     run(w, &alone);
     double exact = arrived(w);
@@ -78,7 +78,7 @@ static void scouts_find_a_limit_that_changes_no_answer(void **state)
 static void check_weights(world w, double departure)
 {
     static const double weights[] = {1.0, 1.001, 1.05, 1.5, 2.0, 5.0};
-    engine_question question = solver_forward_question(w.scene, departure);
+    engine_question question = solver_forward_question(w.solver, departure);
     run(w, &question);
     double exact = arrived(w), slack = 1e-11 * (1.0 + fabs(exact));
     for (size_t i = 0; i < sizeof weights / sizeof *weights; ++i) {
@@ -106,7 +106,7 @@ static void a_search_without_patience_gives_up_and_finds_nothing(void **state)
     crowd(discs, MOST, 0.001, &chance);
     world w = world_make(across, discs, MOST);
     disc_engine *engine = &w.solver->engine;
-    engine_question question = solver_forward_question(w.scene, 0.0);
+    engine_question question = solver_forward_question(w.solver, 0.0);
     run(w, &question);
     uint64_t needed = engine->chunks;
     assert_int_equal(engine->gave_up, 0);
@@ -130,7 +130,7 @@ static void a_small_scene_sends_no_scouts(void **state)
     uint64_t chance = 5;
     crowd(discs, 64, 0.001, &chance);
     world w = world_make(across, discs, 64);
-    engine_question question = solver_forward_question(w.scene, 0.0);
+    engine_question question = solver_forward_question(w.solver, 0.0);
     double limit = question.limit;
     int lost = 7;
     uint64_t runs = w.solver->engine.chunks_followed;
@@ -152,7 +152,7 @@ static void scouts_are_lost_where_there_is_no_way(void **state)
         discs[i] = ring;
     }
     world w = world_make(across, discs, 400);
-    engine_question question = solver_forward_question(w.scene, 0.0);
+    engine_question question = solver_forward_question(w.solver, 0.0);
     int lost = 7;
     assert_int_equal(engine_scout(&w.solver->engine, &question, &lost), TDSP_OK);
     assert_int_equal(lost, 1);

@@ -3,6 +3,8 @@
  *
  * On an interval a polynomial lies between the least and the greatest of its Bernstein coefficients, and changes its sign no more often than they do:
  * halving the interval until they change it not at all or once isolates every crossing, and a bracketed Newton finds it.
+ *
+ * Coefficients and ends of intervals are finite; they may be of any size, as powers of two are taken out first.
  */
 #ifndef GEOM_POLYNOMIAL_H
 #define GEOM_POLYNOMIAL_H
@@ -22,12 +24,14 @@ polynomial polynomial_times(const polynomial *p, const polynomial *q);
 polynomial polynomial_derivative(const polynomial *p);
 
 /*
- * The places in (from, to) where p changes its sign, in order; returns how many. A double root where it touches zero without crossing, or two
- * roots closer than 2^-46 of the interval, may be left out or reported. Both ends are finite.
+ * The places between `from` and `to` where p changes its sign, in order; returns how many. A double root where it touches zero without crossing,
+ * or two roots closer than 2^-46 of the interval, may be left out or reported as two; a zero at an end is no change. The
+ * signs at the ends are those of polynomial_value(). None where from >= to. A place is as sure as the sum of the terms is there: round-off moves a root by about
+ * 2^-50 sum |c_k x^k| / |p'(x)|.
  */
 int polynomial_roots(const polynomial *p, double from, double to, double roots[POLYNOMIAL_DEGREE]);
 
-/* A lower bound on p over [from, to], tight as the interval shrinks. */
+/* A lower bound on p over [from, to], round-off included; tight as the interval shrinks. */
 double polynomial_least(const polynomial *p, double from, double to);
 
 #endif

@@ -48,6 +48,8 @@ typedef struct tdsp_table {
     uint64_t last;  /* the bits of the last departure; 0 where it is 0 */
     tdsp_guide by_departure;
     tdsp_guide by_arrival;
+    uint64_t curve_count; /* numbered behind the arcs */
+    uint64_t curves;
     uint64_t reserved;
 } tdsp_table;
 
@@ -87,6 +89,7 @@ typedef struct tdsp_table_info {
     char length_unit[16];    /* ends with a zero byte */
     char time_unit[16];
     uint64_t guide_length; /* bytes of the guides that speed up look-ups; 0: none */
+    uint64_t curves;       /* stored for legs of the kind TDSP_LEG_CURVE */
 } tdsp_table_info;
 
 /** What the header says. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */

@@ -12,6 +12,7 @@
 #include "base/hash.h"
 #include "base/round.h"
 #include "base/sizes.h"
+#include "build/leg.h"
 #include "scene/allocator.h"
 #include "table/guide.h"
 #include "tdsp/table.h"
@@ -33,6 +34,7 @@ struct writer {
     unsigned char *bytes;
     size_t byte_count, byte_capacity;
     uint64_t arc_count;
+    uint64_t curve_count;
     uint64_t path_count; /* rows with legs */
     uint32_t joint;
 };
@@ -61,35 +63,11 @@ void writer_free(writer *w)
 
 /* ------------------------------------------------------------------------------------------------------ adding rows */
 
-static int writer_line_is_bare(const tdsp_leg *leg)
-{
-    return leg->disc == TDSP_NO_DISC && leg->turn == 0 && leg->center.x == 0 && leg->center.y == 0 && leg->radius_from == 0 &&
-           leg->radius_to == 0 && leg->angle_from == 0 && leg->sweep == 0;
-}
-
-static int writer_leg_is_finite(const tdsp_leg *leg)
-{
-    const double numbers[] = {leg->start_time, leg->end_time, leg->from.x,      leg->from.y,    leg->to.x,       leg->to.y,
-                              leg->center.x,   leg->center.y, leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep};
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        if (!round_is_finite(numbers[i])) return 0;
-    }
-    return 1;
-}
-
-static int writer_leg_is_good(const tdsp_leg *leg)
-{
-    if (leg->reserved != 0 || !writer_leg_is_finite(leg) || !(leg->start_time <= leg->end_time)) return 0;
-    if (leg->kind == TDSP_LEG_LINE) return writer_line_is_bare(leg);
-    return leg->kind == TDSP_LEG_ARC && (leg->turn == 1 || leg->turn == -1) && leg->sweep >= 0 && leg->radius_from > 0 &&
-           leg->radius_to > 0;
-}
-
 static int writer_path_is_good(const writer_row *row)
 {
     for (size_t i = 0; i < row->leg_count; i++) {
         double begins = i == 0 ? row->departure : row->legs[i - 1].end_time;
-        if (!writer_leg_is_good(&row->legs[i]) || row->legs[i].start_time != begins) return 0;
+        if (!leg_is_good(&row->legs[i]) || row->legs[i].start_time != begins) return 0;
     }
     if (row->leg_count == 0) return 1;
     return row->legs[row->leg_count - 1].end_time <= round_add_up(row->departure, row->left);
@@ -128,7 +106,10 @@ static void writer_append(writer *w, const writer_row *row)
     if (row->byte_count > 0) memcpy(w->bytes + w->byte_count, row->bytes, row->byte_count);
     w->leg_count += row->leg_count;
     w->byte_count += row->byte_count;
-    for (size_t i = 0; i < row->leg_count; i++) w->arc_count += row->legs[i].kind == TDSP_LEG_ARC ? 1 : 0;
+    for (size_t i = 0; i < row->leg_count; i++) {
+        w->arc_count += row->legs[i].kind == TDSP_LEG_ARC;
+        w->curve_count += row->legs[i].kind == TDSP_LEG_CURVE;
+    }
     if (row->leg_count > 0) w->path_count++;
     if (writer_row_joint(row) == 2) w->joint = 2;
     writer_kept kept = {row->departure + 0.0, row->left, row->right, w->leg_count, w->byte_count}; /* -0 becomes 0 */
@@ -204,32 +185,51 @@ static writer_guide writer_lay_out_guide(const writer *w, size_t section)
 
 typedef struct writer_layout {
     uint64_t waypoints;
+    unsigned minor;
     uint64_t header;
-    uint64_t offsets[FORMAT_SECTIONS_1];
+    uint64_t offsets[FORMAT_SECTIONS_2];
     uint64_t length;
     writer_guide guides[FORMAT_SECTIONS_1 - FORMAT_SECTIONS];
 } writer_layout;
 
-/* A table without guides is one of version 1.0. */
-static void writer_lay_out_guides(const writer *w, writer_layout *out, uint64_t sizes[FORMAT_SECTIONS_1])
+static void writer_lay_out_guides(const writer *w, writer_layout *out, uint64_t sizes[FORMAT_SECTIONS_2])
 {
-    out->header = FORMAT_HEADER_LENGTH;
     for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1; i++) {
         writer_guide guide = writer_lay_out_guide(w, i);
         sizes[i] = guide_size(guide.cells);
-        if (guide.cells > 0) out->header = FORMAT_HEADER_LENGTH_1;
         out->guides[i - FORMAT_SECTIONS] = guide;
     }
 }
 
-/* Waypoints and arcs are numbered by 32 bits, of which the last number means none. */
+/* The lowest version that has every section with anything in it. */
+static unsigned writer_minor(const uint64_t sizes[FORMAT_SECTIONS_2])
+{
+    unsigned minor = 0;
+    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_2; i++)
+        while (sizes[i] > 0 && i >= format_sections(minor)) minor++;
+    return minor;
+}
+
+static tdsp_status writer_place_sections(writer_layout *out, const uint64_t sizes[FORMAT_SECTIONS_2])
+{
+    out->minor = writer_minor(sizes);
+    out->header = format_header_length(out->minor);
+    out->length = out->header;
+    for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
+        out->offsets[i] = out->length;
+        if (!sizes_add(out->length, sizes[i], &out->length) || !sizes_align8(out->length, &out->length)) return TDSP_NO_MEMORY;
+    }
+    return out->length <= SIZE_MAX ? TDSP_OK : TDSP_NO_MEMORY;
+}
+
+/* Waypoints are numbered by 32 bits, of which the last number means none; so are arcs and curves together. */
 static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
 {
     uint64_t legs = w->leg_count;
     out->waypoints = w->joint == 1 ? legs + w->path_count : 2 * legs;
-    if (out->waypoints >= FORMAT_NONE || w->arc_count >= FORMAT_NONE) return TDSP_NOT_SUPPORTED;
+    if (out->waypoints >= FORMAT_NONE || w->arc_count + w->curve_count >= FORMAT_NONE) return TDSP_NOT_SUPPORTED;
     uint64_t rows = w->row_count;
-    uint64_t sizes[FORMAT_SECTIONS_1];
+    uint64_t sizes[FORMAT_SECTIONS_2];
     sizes[FORMAT_DEPARTURES] = sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = 8 * rows;
     sizes[FORMAT_FIRST_WAYPOINT] = legs > 0 ? 4 * (rows + 1) : 0;
     sizes[FORMAT_WAYPOINTS] = FORMAT_WAYPOINT_SIZE * out->waypoints;
@@ -237,12 +237,8 @@ static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
     sizes[FORMAT_FIRST_BYTE] = w->byte_count > 0 ? 8 * (rows + 1) : 0;
     sizes[FORMAT_OPAQUE] = w->byte_count;
     writer_lay_out_guides(w, out, sizes);
-    out->length = out->header;
-    for (size_t i = 0; i < FORMAT_SECTIONS_1; i++) {
-        out->offsets[i] = out->length;
-        if (!sizes_add(out->length, sizes[i], &out->length) || !sizes_align8(out->length, &out->length)) return TDSP_NO_MEMORY;
-    }
-    return out->length <= SIZE_MAX ? TDSP_OK : TDSP_NO_MEMORY;
+    sizes[FORMAT_CURVES] = FORMAT_CURVE_SIZE * w->curve_count;
+    return writer_place_sections(out, sizes);
 }
 
 static void writer_put_point(unsigned char *p, tdsp_point point)
@@ -268,12 +264,24 @@ static void writer_put_arc(unsigned char *p, const tdsp_leg *leg)
     bytes_put_f64(p + FORMAT_ARC_AT_TURNED, copysign(leg->sweep, leg->turn));
 }
 
-/* Where the next waypoint and arc go. */
+static void writer_put_curve(unsigned char *p, const tdsp_leg *leg)
+{
+    writer_put_arc(p, leg);
+    bytes_put_f64(p + FORMAT_CURVE_AT_RATE_FROM, leg->rate_from);
+    bytes_put_f64(p + FORMAT_CURVE_AT_RATE_TO, leg->rate_to);
+    bytes_put_f64(p + FORMAT_CURVE_AT_BEND_FROM, leg->bend_from);
+    bytes_put_f64(p + FORMAT_CURVE_AT_BEND_TO, leg->bend_to);
+    bytes_put_f64(p + FORMAT_CURVE_AT_SPEED, leg->speed);
+}
+
+/* Where the next waypoint, arc and curve go, and their numbers. */
 typedef struct writer_cursor {
     unsigned char *waypoint;
-    unsigned char *arcs;
+    unsigned char *arc;
+    unsigned char *curve;
     uint32_t waypoints;
-    uint32_t arc_count;
+    uint32_t arcs;
+    uint32_t curves;
 } writer_cursor;
 
 static void writer_put_next(writer_cursor *at, double time, tdsp_point place, uint32_t disc, uint32_t arc)
@@ -283,20 +291,33 @@ static void writer_put_next(writer_cursor *at, double time, tdsp_point place, ui
     at->waypoints++;
 }
 
+/* The number that the waypoint gets. */
+static uint32_t writer_put_ride(writer_cursor *at, const tdsp_leg *leg)
+{
+    if (leg->kind == TDSP_LEG_LINE) return FORMAT_NONE;
+    if (leg->kind == TDSP_LEG_ARC) {
+        writer_put_arc(at->arc, leg);
+        at->arc += FORMAT_ARC_SIZE;
+        return at->arcs++;
+    }
+    writer_put_curve(at->curve, leg);
+    at->curve += FORMAT_CURVE_SIZE;
+    return at->curves++;
+}
+
 static void writer_put_leg(writer_cursor *at, const tdsp_leg *leg, int with_end)
 {
-    uint32_t arc = FORMAT_NONE;
-    if (leg->kind == TDSP_LEG_ARC) {
-        arc = at->arc_count++;
-        writer_put_arc(at->arcs + (size_t)FORMAT_ARC_SIZE * arc, leg);
-    }
-    writer_put_next(at, leg->start_time, leg->from, leg->disc, arc);
+    uint32_t ride = writer_put_ride(at, leg);
+    writer_put_next(at, leg->start_time, leg->from, leg->disc, ride);
     if (with_end) writer_put_next(at, leg->end_time, leg->to, FORMAT_NONE, FORMAT_NONE);
 }
 
 static void writer_put_paths(const writer *w, const writer_layout *layout, unsigned char *bytes)
 {
-    writer_cursor at = {bytes + layout->offsets[FORMAT_WAYPOINTS], bytes + layout->offsets[FORMAT_ARCS], 0, 0};
+    writer_cursor at = {.waypoint = bytes + layout->offsets[FORMAT_WAYPOINTS],
+                        .arc = bytes + layout->offsets[FORMAT_ARCS],
+                        .curve = bytes + layout->offsets[FORMAT_CURVES],
+                        .curves = (uint32_t)w->arc_count};
     size_t leg = 0;
     if (w->leg_count == 0) return;
     for (size_t row = 0; row < w->row_count; row++) {
@@ -372,7 +393,7 @@ static void writer_put_counts(const writer *w, const writer_layout *layout, unsi
 {
     memcpy(bytes, FORMAT_MAGIC, FORMAT_MAGIC_LENGTH);
     bytes_put_u16(bytes + FORMAT_AT_MAJOR, FORMAT_MAJOR);
-    bytes_put_u16(bytes + FORMAT_AT_MINOR, layout->header == FORMAT_HEADER_LENGTH ? 0 : FORMAT_MINOR);
+    bytes_put_u16(bytes + FORMAT_AT_MINOR, (uint16_t)layout->minor);
     bytes_put_u32(bytes + FORMAT_AT_HEADER_LENGTH, (uint32_t)layout->header);
     bytes_put_u64(bytes + FORMAT_AT_LENGTH, layout->length);
     bytes_put_f64(bytes + FORMAT_AT_FIRST_DEPARTURE, w->rows[0].departure);
@@ -388,12 +409,20 @@ static void writer_put_counts(const writer *w, const writer_layout *layout, unsi
 
 static void writer_put_guide_places(const writer_layout *layout, unsigned char *bytes)
 {
-    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1 && layout->header > FORMAT_HEADER_LENGTH; i++) {
+    for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1 && layout->minor >= 1; i++) {
         const writer_guide *guide = &layout->guides[i - FORMAT_SECTIONS];
         bytes_put_u64(bytes + format_at_offset(i), layout->offsets[i]);
         bytes_put_u64(bytes + format_at_offset(i) + FORMAT_GUIDE_AT_CELLS, guide->cells);
         bytes_put_f64(bytes + format_at_offset(i) + FORMAT_GUIDE_AT_SCALE, guide->cells > 0 ? guide->scale : 0);
     }
+}
+
+static void writer_put_further(const writer *w, const writer_layout *layout, unsigned char *bytes)
+{
+    if (layout->minor < 2) return;
+    unsigned char *curves = bytes + format_at_offset(FORMAT_CURVES);
+    bytes_put_u64(curves, layout->offsets[FORMAT_CURVES]);
+    bytes_put_u64(curves + FORMAT_FURTHER_AT_COUNT, w->curve_count);
 }
 
 /* The header's checksum covers the body's, so the body's is first. */
@@ -416,6 +445,7 @@ static tdsp_status writer_fill(const writer *w, const writer_header *header, con
     writer_put_rows(w, layout, bytes);
     writer_put_paths(w, layout, bytes);
     writer_put_guide_places(layout, bytes);
+    writer_put_further(w, layout, bytes);
     for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1; i++) writer_put_guide(w, layout, i, bytes);
     writer_seal(bytes, (size_t)layout->header, (size_t)layout->length);
     return tdsp_table_open(&check, bytes, (size_t)layout->length);

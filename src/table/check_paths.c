@@ -35,13 +35,34 @@ static int check_arcs(const tdsp_table *table)
     return 1;
 }
 
+static int check_curves(const tdsp_table *table)
+{
+    for (uint64_t i = 0; i < table->curve_count; i++) {
+        tdsp_leg leg = {0};
+        table_add_curve(table, i, &leg);
+        if (!check_curve(&leg)) return 0;
+    }
+    return 1;
+}
+
 /* Where no leg starts there is neither disc nor arc; a line has no disc. */
 static int check_waypoint_kind(const tdsp_table *table, const unsigned char *waypoint, int starts_leg)
 {
     uint32_t disc = bytes_get_u32(waypoint + FORMAT_WAYPOINT_AT_DISC);
     uint32_t arc = bytes_get_u32(waypoint + FORMAT_WAYPOINT_AT_ARC);
     if (arc == FORMAT_NONE) return disc == FORMAT_NONE;
-    return starts_leg && arc < table->arc_count;
+    return starts_leg && arc < table->arc_count + table->curve_count;
+}
+
+/* A curve's polynomials depend on how long it takes. */
+static int check_legs(const tdsp_table *table, uint64_t row)
+{
+    table_path path = table_row_path(table, row);
+    for (uint64_t i = 0; i < path.legs && table->curve_count > 0; i++) {
+        tdsp_leg leg = table_path_leg(table, path, i);
+        if (leg.kind == TDSP_LEG_CURVE && !check_curve(&leg)) return 0;
+    }
+    return 1;
 }
 
 /* Waypoints [first, end) of a row: at a joint of two waypoints both have the same time. */
@@ -66,11 +87,11 @@ int check_paths(const tdsp_table *table)
 {
     uint64_t legs = 0;
     uint64_t end = 0;
-    if (!check_arcs(table)) return 0;
+    if (!check_arcs(table) || !check_curves(table)) return 0;
     for (uint64_t row = 0; row < table->rows && table->waypoint_count > 0; row++) {
         const unsigned char *p = table->bytes + table->first_waypoint + 4 * row;
         if (bytes_get_u32(p) != end || bytes_get_u32(p + 4) < end || bytes_get_u32(p + 4) > table->waypoint_count) return 0;
-        if (!check_path(table, row, end, bytes_get_u32(p + 4))) return 0;
+        if (!check_path(table, row, end, bytes_get_u32(p + 4)) || !check_legs(table, row)) return 0;
         end = bytes_get_u32(p + 4);
         legs += table_row_path(table, row).legs;
     }

@@ -12,9 +12,11 @@
 #define FORMAT_MAGIC "\x89TDSP\r\n\x1a" /* 8 bytes; shows a transfer as text, and is no text itself */
 #define FORMAT_MAGIC_LENGTH 8
 #define FORMAT_MAJOR 1
-#define FORMAT_MINOR 1             /* 1.0 has no guides; a table without any is written as 1.0 */
+#define FORMAT_MINOR 2             /* a table is written in the lowest version that has what it holds */
 #define FORMAT_HEADER_LENGTH 296   /* of version 1.0 */
-#define FORMAT_HEADER_LENGTH_1 344 /* of version 1.1; later minor versions may have more */
+#define FORMAT_HEADER_LENGTH_1 344 /* of version 1.1, which adds guides */
+/* Of version 1.2, which adds curves; later minor versions may have more. */
+#define FORMAT_HEADER_LENGTH_2 (FORMAT_AT_FURTHER + FORMAT_FURTHER_SIZE * (FORMAT_SECTIONS_2 - FORMAT_SECTIONS_1))
 
 /* Places in the header. */
 #define FORMAT_AT_MAJOR 8          /* u16 */
@@ -57,7 +59,12 @@
 #define FORMAT_GUIDE_AT_CELLS 8
 #define FORMAT_GUIDE_AT_SCALE 16
 
-/* The sections, in order; the last two from version 1.1 on. */
+/* From version 1.2 on: for each further section its offset and how many items it has (u64). */
+#define FORMAT_AT_FURTHER 344
+#define FORMAT_FURTHER_SIZE 16
+#define FORMAT_FURTHER_AT_COUNT 8
+
+/* The sections, in order. */
 enum {
     FORMAT_DEPARTURES,
     FORMAT_LEFT,
@@ -70,7 +77,9 @@ enum {
     FORMAT_SECTIONS, /* of version 1.0 */
     FORMAT_BY_DEPARTURE = FORMAT_SECTIONS,
     FORMAT_BY_ARRIVAL,
-    FORMAT_SECTIONS_1
+    FORMAT_SECTIONS_1, /* of version 1.1 */
+    FORMAT_CURVES = FORMAT_SECTIONS_1,
+    FORMAT_SECTIONS_2 /* of version 1.2 */
 };
 
 /* A waypoint: a moment and a place on a path, and how the path goes on from there. */
@@ -90,6 +99,14 @@ enum {
 #define FORMAT_ARC_AT_ANGLE_FROM 32  /* f64 */
 #define FORMAT_ARC_AT_TURNED 40      /* f64, turn times sweep */
 
+/* A curve: what an arc has, and how the rate changes. Curves are numbered behind the arcs. */
+#define FORMAT_CURVE_SIZE 88
+#define FORMAT_CURVE_AT_RATE_FROM 48 /* f64, as the rest */
+#define FORMAT_CURVE_AT_RATE_TO 56
+#define FORMAT_CURVE_AT_BEND_FROM 64
+#define FORMAT_CURVE_AT_BEND_TO 72
+#define FORMAT_CURVE_AT_SPEED 80
+
 #define FORMAT_MAX_ROW_BYTES 0x7fffffffu
 
 /* A guide: a u32 for each block of cells and one more, then a byte for each cell. */
@@ -100,8 +117,23 @@ enum {
 /* Where the header says at which offset a section starts. */
 static inline size_t format_at_offset(size_t section)
 {
-    return section < FORMAT_SECTIONS ? FORMAT_AT_OFFSETS + 8 * section
-                                     : FORMAT_AT_GUIDES + FORMAT_GUIDE_SIZE * (section - FORMAT_SECTIONS);
+    if (section < FORMAT_SECTIONS) return FORMAT_AT_OFFSETS + 8 * section;
+    if (section < FORMAT_SECTIONS_1) return FORMAT_AT_GUIDES + FORMAT_GUIDE_SIZE * (section - FORMAT_SECTIONS);
+    return FORMAT_AT_FURTHER + FORMAT_FURTHER_SIZE * (section - FORMAT_SECTIONS_1);
+}
+
+/* How many of the sections named here a minor version has. */
+static inline size_t format_sections(unsigned minor)
+{
+    if (minor == 0) return FORMAT_SECTIONS;
+    return minor == 1 ? FORMAT_SECTIONS_1 : FORMAT_SECTIONS_2;
+}
+
+/* The header's length in a minor version, the least in one that is not known here. */
+static inline size_t format_header_length(unsigned minor)
+{
+    if (minor == 0) return FORMAT_HEADER_LENGTH;
+    return minor == 1 ? FORMAT_HEADER_LENGTH_1 : FORMAT_HEADER_LENGTH_2;
 }
 
 #endif

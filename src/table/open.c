@@ -10,7 +10,6 @@
 #include "table/guide.h"
 #include "tdsp/table.h"
 
-/* The version as far as it matters here: 0 without guides, 1 with the header's part about them; more may have what is unknown here. */
 static unsigned open_minor(const unsigned char *bytes)
 {
     return bytes_get_u16(bytes + FORMAT_AT_MINOR);
@@ -18,8 +17,7 @@ static unsigned open_minor(const unsigned char *bytes)
 
 static int open_header_length_is_good(unsigned minor, uint32_t length)
 {
-    if (minor == 0) return length == FORMAT_HEADER_LENGTH;
-    return minor == FORMAT_MINOR ? length == FORMAT_HEADER_LENGTH_1 : length >= FORMAT_HEADER_LENGTH_1;
+    return minor <= FORMAT_MINOR ? length == format_header_length(minor) : length >= format_header_length(minor);
 }
 
 static tdsp_status open_lengths(const unsigned char *bytes, size_t length)
@@ -44,7 +42,7 @@ static tdsp_status open_checksums(const unsigned char *bytes, size_t length)
 }
 
 /* Sizes of the sections; the optional ones are empty when there is nothing to index. 0 on overflow. */
-static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_1])
+static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2])
 {
     uint64_t bounds;
     if (table->rows == 0 || !sizes_add(table->rows, 1, &bounds)) return 0;
@@ -58,7 +56,8 @@ static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_1]
     if (table->by_departure.cells > FORMAT_GUIDE_MAX || table->by_arrival.cells > FORMAT_GUIDE_MAX) return 0;
     sizes[FORMAT_BY_DEPARTURE] = guide_size(table->by_departure.cells);
     sizes[FORMAT_BY_ARRIVAL] = guide_size(table->by_arrival.cells);
-    return 1;
+    if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
+    return sizes_multiply(table->curve_count, FORMAT_CURVE_SIZE, &sizes[FORMAT_CURVES]);
 }
 
 static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint64_t to)
@@ -73,13 +72,13 @@ static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint6
  * The sections one after the other, without gaps in the versions known here; a later minor version may put something between or
  * behind them. On success offsets holds where each starts, and all of them end inside the bytes.
  */
-static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS_1])
+static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS_2])
 {
-    uint64_t sizes[FORMAT_SECTIONS_1];
+    uint64_t sizes[FORMAT_SECTIONS_2];
     uint64_t cursor = bytes_get_u32(table->bytes + FORMAT_AT_HEADER_LENGTH);
     unsigned minor = open_minor(table->bytes);
     int exact = minor <= FORMAT_MINOR;
-    size_t sections = minor == 0 ? FORMAT_SECTIONS : FORMAT_SECTIONS_1;
+    size_t sections = format_sections(minor);
     if (!open_sizes(table, sizes)) return 0;
     for (size_t i = 0; i < sections; i++) {
         uint64_t end;
@@ -102,6 +101,12 @@ static tdsp_guide open_guide(const unsigned char *bytes, size_t section)
     return guide;
 }
 
+/* How many items a section has that came with version 1.2. */
+static uint64_t open_count(const unsigned char *bytes, size_t section)
+{
+    return section < format_sections(open_minor(bytes)) ? bytes_get_u64(bytes + format_at_offset(section) + FORMAT_FURTHER_AT_COUNT) : 0;
+}
+
 static tdsp_table open_view(const unsigned char *bytes, size_t length)
 {
     tdsp_table table = {0};
@@ -115,6 +120,7 @@ static tdsp_table open_view(const unsigned char *bytes, size_t length)
     table.joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
     table.by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
     table.by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
+    table.curve_count = open_count(bytes, FORMAT_CURVES);
     return table;
 }
 
@@ -125,7 +131,7 @@ static void open_place_guide(tdsp_guide *guide, const unsigned char *section)
     guide->counts = section + guide_bases_size(guide->cells);
 }
 
-static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS_1])
+static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS_2])
 {
     table->departures = offsets[FORMAT_DEPARTURES];
     table->left = offsets[FORMAT_LEFT];
@@ -135,6 +141,7 @@ static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS
     table->arcs = offsets[FORMAT_ARCS];
     table->first_byte = offsets[FORMAT_FIRST_BYTE];
     table->opaque = offsets[FORMAT_OPAQUE];
+    table->curves = offsets[FORMAT_CURVES];
     open_place_guide(&table->by_departure, table->bytes + offsets[FORMAT_BY_DEPARTURE]);
     open_place_guide(&table->by_arrival, table->bytes + offsets[FORMAT_BY_ARRIVAL]);
 }
@@ -158,7 +165,7 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     if (status != TDSP_OK) return status;
 
     tdsp_table view = open_view(bytes, length);
-    uint64_t offsets[FORMAT_SECTIONS_1] = {0};
+    uint64_t offsets[FORMAT_SECTIONS_2] = {0};
     if (!open_sections(&view, offsets)) return TDSP_BAD_TABLE;
     open_place(&view, offsets);
     if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;

@@ -1,4 +1,4 @@
-/* Waypoints and arcs put together to legs. With one waypoint at a joint leg k goes from waypoint k to k + 1, with two from 2k to 2k + 1. */
+/* Waypoints, arcs and curves put together to legs. With one waypoint at a joint leg k goes from waypoint k to k + 1, with two from 2k to 2k + 1. */
 #include "table/read.h"
 
 #include <math.h>
@@ -39,9 +39,8 @@ double table_path_time(const tdsp_table *table, table_path path, uint64_t leg)
     return bytes_get_f64(table_waypoint(table, path.first + leg * table->joint) + FORMAT_WAYPOINT_AT_TIME);
 }
 
-static void table_add_arc(const tdsp_table *table, uint64_t arc, tdsp_leg *leg)
+static void table_add_arc(const unsigned char *p, tdsp_leg *leg)
 {
-    const unsigned char *p = table->bytes + table->arcs + FORMAT_ARC_SIZE * arc;
     double turned = bytes_get_f64(p + FORMAT_ARC_AT_TURNED);
     leg->kind = TDSP_LEG_ARC;
     leg->turn = signbit(turned) ? -1 : 1;
@@ -50,6 +49,19 @@ static void table_add_arc(const tdsp_table *table, uint64_t arc, tdsp_leg *leg)
     leg->radius_to = bytes_get_f64(p + FORMAT_ARC_AT_RADIUS_TO);
     leg->angle_from = bytes_get_f64(p + FORMAT_ARC_AT_ANGLE_FROM);
     leg->sweep = fabs(turned);
+}
+
+/* A curve begins as an arc. */
+void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
+{
+    const unsigned char *p = table->bytes + table->curves + FORMAT_CURVE_SIZE * curve;
+    table_add_arc(p, leg);
+    leg->kind = TDSP_LEG_CURVE;
+    leg->rate_from = bytes_get_f64(p + FORMAT_CURVE_AT_RATE_FROM);
+    leg->rate_to = bytes_get_f64(p + FORMAT_CURVE_AT_RATE_TO);
+    leg->bend_from = bytes_get_f64(p + FORMAT_CURVE_AT_BEND_FROM);
+    leg->bend_to = bytes_get_f64(p + FORMAT_CURVE_AT_BEND_TO);
+    leg->speed = bytes_get_f64(p + FORMAT_CURVE_AT_SPEED);
 }
 
 tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg)
@@ -64,6 +76,9 @@ tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg)
     out.from = table_point(from + FORMAT_WAYPOINT_AT_X);
     out.to = table_point(to + FORMAT_WAYPOINT_AT_X);
     uint64_t arc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_ARC);
-    if (arc < table->arc_count) table_add_arc(table, arc, &out);
+    if (arc < table->arc_count)
+        table_add_arc(table->bytes + table->arcs + FORMAT_ARC_SIZE * arc, &out);
+    else if (arc - table->arc_count < table->curve_count)
+        table_add_curve(table, arc - table->arc_count, &out);
     return out;
 }

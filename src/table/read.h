@@ -2,7 +2,7 @@
  * Bounded reads of an opened table.
  *
  * Rows are read without a check: the sections of fixed stride were measured against the length when the table was
- * opened, and the caller's row is below table->rows. Indices that stand in the bytes themselves (first waypoint, arc, first
+ * opened, and the caller's row is below table->rows. Indices that stand in the bytes themselves (first waypoint, arc or curve, first
  * byte) are checked at each use as well as at opening, so that no read leaves the buffer even when the bytes change
  * afterwards, as a mapped file's can.
  */
@@ -60,5 +60,8 @@ double table_path_time(const tdsp_table *table, table_path path, uint64_t leg);
 
 /* Leg `leg` < path.legs. */
 tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg);
+
+/* Curve `curve` < table->curve_count, put into a leg whose ends it leaves alone. */
+void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg);
 
 #endif

@@ -22,6 +22,8 @@ SAMPLING = {0: "adaptive", 1: "geometric"}
 REASON = {1: "source_covered", 2: "destination_covered", 3: "cut_off", 5: "horizon", 6: "outside_table", 7: "unreachable"}
 SECTIONS = ["departures", "left", "right", "first_waypoint", "waypoints", "arcs", "first_byte", "opaque"]
 GUIDES = ["guide to departures", "guide to arrivals"]
+FURTHER = ["curves"]
+HEADERS = [296, 344, 360]
 
 
 class Bad(Exception):
@@ -65,9 +67,26 @@ def add_down(a, b):
     return math.inf if math.inf in (a, b) else down(Fraction(a) + Fraction(b))
 
 
+def check_curve(curve, h, what):
+    """Numbers of a curve that takes the time h."""
+    _, _, r0, r1, _, turned, rate0, rate1, bend0, bend1, speed = curve
+    need(all(map(math.isfinite, curve)) and r0 > 0 and r1 > 0 and speed > abs(rate0) and speed > abs(rate1), what)
+    distance = r0 + r1 + h * (abs(rate0) + abs(rate1)) + h * h * (abs(bend0) + abs(bend1))
+    slopes, bends = 0.0, 0.0
+    for r, rate, bend in (r0, rate0, bend0), (r1, rate1, bend1):
+        slope = speed / r
+        slopes += slope
+        share = (speed - rate) / speed * ((speed + rate) / speed)
+        bends += abs(rate) / speed / share * (abs(bend) / r) + abs(rate) / r * slope
+    need(distance <= 2.0**1000 and abs(turned) + h * slopes + h * h * bends <= 2.0**1000, what)
+
+
 class Table:
-    def __init__(self, data):
+    """`known` is the highest minor version that the reader knows; what came later it passes over, as docs/format.md says it must."""
+
+    def __init__(self, data, known=2):
         self.data = data
+        self.known = known
         self.check_frame()
         self.read_header()
         self.place_sections()
@@ -77,6 +96,7 @@ class Table:
         self.right = self.doubles("right")
         self.check_rows()
         self.read_arcs()
+        self.read_curves()
         self.read_paths()
         self.read_opaque()
         self.check_guide(GUIDES[0], self.departures)
@@ -100,7 +120,8 @@ class Table:
         need(len(self.data) >= 296 and self.u64(16) == len(self.data), "length")
         self.minor = self.at("H", 10)[0]
         self.header = self.u32(12)
-        need(self.header == {0: 296, 1: 344}.get(self.minor, max(344, self.header)), "header length")
+        newer = self.minor > self.known
+        need(self.header >= HEADERS[self.known] if newer else self.header == HEADERS[self.minor], "header length")
         need(self.header % 8 == 0 and self.header <= len(self.data), "header length")
         need(crc32c(self.data[:28], self.data[32:self.header]) == self.u32(28), "header checksum")
         need(crc32c(self.data[self.header:]) == self.u32(24), "body checksum")
@@ -133,8 +154,10 @@ class Table:
         self.time_unit = self.text(168)
         self.rows, self.legs, self.waypoints, self.arc_count, self.opaque_length = self.at("5Q", 184)
         self.joint = self.u32(288)
-        self.cells = {name: self.u64(304 + 24 * i) if self.minor else 0 for i, name in enumerate(GUIDES)}
-        self.scale = {name: self.f64(312 + 24 * i) if self.minor else 0 for i, name in enumerate(GUIDES)}
+        has = min(self.minor, self.known)
+        self.cells = {name: self.u64(304 + 24 * i) if has >= 1 else 0 for i, name in enumerate(GUIDES)}
+        self.scale = {name: self.f64(312 + 24 * i) if has >= 1 else 0 for i, name in enumerate(GUIDES)}
+        self.items = {name: self.u64(352 + 16 * i) if has >= 2 else 0 for i, name in enumerate(FURTHER)}
 
     def place_sections(self):
         bounds = self.rows + 1
@@ -142,20 +165,23 @@ class Table:
         sizes += [4 * bounds if self.waypoints else 0, 32 * self.waypoints, 48 * self.arc_count]
         sizes += [8 * bounds if self.opaque_length else 0, self.opaque_length]
         places = [224 + 8 * i for i in range(len(SECTIONS))]
-        if self.minor > 0:
+        if min(self.minor, self.known) >= 1:
             sizes += [4 * (-(-self.cells[name] // 64) + 1) + self.cells[name] if self.cells[name] else 0 for name in GUIDES]
             places += [296, 320]
+        if min(self.minor, self.known) >= 2:
+            sizes += [88 * self.items["curves"]]
+            places += [344]
         need(self.rows > 0, "rows")
         self.sections = {}
         cursor = self.header
-        for section, size, place in zip(SECTIONS + GUIDES, sizes, places):
+        for section, size, place in zip(SECTIONS + GUIDES + FURTHER, sizes, places):
             offset = self.u64(place)
-            need(offset == cursor or (self.minor > 1 and offset > cursor and offset % 8 == 0), "offset of " + section)
+            need(offset == cursor or (self.minor > self.known and offset > cursor and offset % 8 == 0), "offset of " + section)
             cursor = (offset + size + 7) // 8 * 8
             need(cursor <= len(self.data), "end of " + section)
             need(not any(self.data[offset + size:cursor]), "padding of " + section)
             self.sections[section] = (offset, size)
-        need(cursor == len(self.data) or self.minor > 1, "end of file")
+        need(cursor == len(self.data) or self.minor > self.known, "end of file")
 
     def check_header(self):
         bound, other = (self.delta, self.epsilon) if self.guarantee == "absolute" else (self.epsilon, self.delta)
@@ -194,6 +220,14 @@ class Table:
             need(all(map(math.isfinite, arc)) and arc[2] > 0 and arc[3] > 0, "arc %d" % i)
             self.arcs.append(arc)
 
+    def read_curves(self):
+        self.curves = []
+        need(self.arc_count + self.items["curves"] <= NONE, "number of arcs and curves")
+        for i in range(self.items["curves"]):
+            curve = self.at("11d", self.sections["curves"][0] + 88 * i)
+            check_curve(curve, 0.0, "curve %d" % i)
+            self.curves.append(curve)
+
     def indices(self, section, form, last):
         offset, size = self.sections[section]
         width = struct.calcsize("<" + form)
@@ -210,10 +244,14 @@ class Table:
         if arc == NONE:
             need(disc == NONE, "a line with a disc")
             return leg
-        need(arc < self.arc_count, "number of an arc")
-        center_x, center_y, radius_from, radius_to, angle, turned = self.arcs[arc]
+        need(arc < self.arc_count + len(self.curves), "number of an arc")
+        numbers = self.arcs[arc] if arc < self.arc_count else self.curves[arc - self.arc_count]
+        center_x, center_y, radius_from, radius_to, angle, turned = numbers[:6]
         leg.update(type="arc", disc=disc, center=[center_x, center_y], turn="cw" if math.copysign(1, turned) < 0 else "ccw",
                    radii=[radius_from, radius_to], angle_from=angle, sweep=abs(turned))
+        if arc >= self.arc_count:
+            check_curve(numbers, end[0] - time, "curve %d" % (arc - self.arc_count))
+            leg.update(rates=list(numbers[6:8]), bends=list(numbers[8:10]), speed=numbers[10])
         return leg
 
     def path(self, row, first, end):
@@ -300,7 +338,8 @@ class Table:
                 "speed": self.speed, "source": list(self.source), "destination": list(self.destination),
                 "first_departure": self.first_departure, "first_lower": self.first_lower, "last_departure": self.last_departure,
                 "length_unit": self.length_unit, "time_unit": self.time_unit, "leg_count": self.legs, "joint": self.joint,
-                "rows": rows, **({"cells": list(self.cells.values())} if self.minor else {})}
+                "rows": rows, **({"cells": list(self.cells.values())} if self.minor else {}),
+                **({"curves": len(self.curves)} if self.minor > 1 else {})}
 
 
 def finite(x):

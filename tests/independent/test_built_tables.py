@@ -48,7 +48,8 @@ def departures(table, chance):
 
 def check_info(table, file):
     info = tdsp("info", file)
-    header = {"bytes": len(table.data), "rows": table.rows, "legs": table.legs, "guarantee": table.guarantee,
+    header = {"bytes": len(table.data), "rows": table.rows, "legs": table.legs, "curves": len(table.curves),
+              "guarantee": table.guarantee,
               "sampling": table.sampling, "monotone": table.monotone, "error": table.error, "speed": table.speed,
               "scene_hash": "%016x" % table.scene_hash, "source": list(table.source), "destination": list(table.destination),
               "first_departure": table.first_departure, "last_departure": table.last_departure, "last_reason": table.last_reason,
@@ -86,7 +87,8 @@ def check_path(table, file, t):
     same("row of %r" % t, [answer["row"], answer["computed_for"]], [row, b])
     legs = []
     for leg in table.paths[row]:
-        leg = {key: value for key, value in leg.items() if key not in ("angle_from", "sweep")}
+        left_out = ("angle_from",) if "rates" in leg else ("angle_from", "sweep")
+        leg = {key: value for key, value in leg.items() if key not in left_out}
         if t != b:
             leg["start_time"] = min(t + (leg["start_time"] - b), upper)
             leg["end_time"] = min(t + (leg["end_time"] - b), upper)

@@ -65,8 +65,25 @@ def check_disorder(path):
     return refused(seal(data))
 
 
+def check_earlier_reader(path):
+    """A reader of each earlier minor version refuses a table with curves, which it would misread, and reads any other alike."""
+    data = path.read_bytes()
+    table = Table(data)
+    for known in range(2):
+        try:
+            earlier = Table(data, known)
+        except Bad:
+            earlier = None
+        if (earlier is None) != bool(table.curves):
+            return False
+        if earlier and (earlier.paths, earlier.left, earlier.right) != (table.paths, table.left, table.right):
+            return False
+    return True
+
+
 CHECKS = {"holds what was written down by hand": check_contents, "is refused with any one bit changed": check_changed_byte,
-          "is refused cut off anywhere": check_cut, "is refused with departures out of order": check_disorder}
+          "is refused cut off anywhere": check_cut, "is refused with departures out of order": check_disorder,
+          "is read or refused by a reader of an earlier version as it should be": check_earlier_reader}
 
 
 def main():

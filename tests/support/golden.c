@@ -11,6 +11,8 @@
     {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = t0, .end_time = t1, .from = {x0, y0}, .to = {x1, y1}}
 #define ARC(which, side, t0, t1, x0, y0, x1, y1, cx, cy, r0, r1, angle, turned) \
     {.kind = TDSP_LEG_ARC, .disc = which, .turn = side, .start_time = t0, .end_time = t1, .from = {x0, y0}, .to = {x1, y1}, .center = {cx, cy}, .radius_from = r0, .radius_to = r1, .angle_from = angle, .sweep = turned}
+#define CURVE(which, side, t0, t1, x0, y0, x1, y1, cx, cy, r0, r1, angle, turned, a0, a1, b0, b1, v) \
+    {.kind = TDSP_LEG_CURVE, .disc = which, .turn = side, .start_time = t0, .end_time = t1, .from = {x0, y0}, .to = {x1, y1}, .center = {cx, cy}, .radius_from = r0, .radius_to = r1, .angle_from = angle, .sweep = turned, .rate_from = a0, .rate_to = a1, .bend_from = b0, .bend_to = b1, .speed = v}
 #define LEGS(legs) legs, sizeof legs / sizeof legs[0]
 
 static const tdsp_leg gap_0[] = {LINE(0, 20, -10, 0, 10, 0)};
@@ -38,6 +40,15 @@ static const writer_row loose_rows[] = {
     {0, 2, 2, LEGS(loose_0), NULL, 0}, {0.1, 2, 2, NULL, 0, "why", 3}, {1, 2.1, INFINITY, LEGS(loose_2), NULL, 0}};
 
 static const writer_row still_rows[] = {{0, 0, 0, NULL, 0, NULL, 0}};
+
+static const tdsp_leg swell_0[] = {LINE(0, 2, -6, 0, -4, 1),
+                                   CURVE(7, 1, 2, 3, -4, 1, -3, 2, 0.5, 1, 4.5, 4.75, 3.125, 0.375, 0.25, 0.375, 0.125, 0.0625, 2),
+                                   CURVE(7, 1, 3, 5, -3, 2, -1, 2.5, 0.5, 1, 4.75, 5.5, 3.5, 0.75, 0.375, 0.5, 0.0625, 0, 2),
+                                   ARC(2, -1, 5, 6, -1, 2.5, 0, 2, 0, 0, 2.25, 2.5, 1.75, 0.25), LINE(6, 12, 0, 2, 6, 0)};
+static const tdsp_leg swell_1[] = {CURVE(4, -1, 1.5, 1.5, -6, 0, -6, 0, -5, 0, 1, 1, 3, 0.0, -0.25, 1.75, -8, 16, 2),
+                                   LINE(1.5, 14.5, -6, 0, 6, 0)};
+
+static const writer_row swell_rows[] = {{0, 12, 12, LEGS(swell_0), NULL, 0}, {1.5, 13, INFINITY, LEGS(swell_1), NULL, 0}};
 
 #define CROWD(t, left) {t, left, left, NULL, 0, NULL, 0}
 static const writer_row crowd_rows[] = {CROWD(0, 8),      CROWD(0.25, 8.5),  CROWD(0.5, 9),     CROWD(0.75, 9.5),
@@ -70,7 +81,12 @@ const golden_table golden_tables[GOLDEN_COUNT] = {
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_ABSOLUTE, TDSP_SAMPLING_ADAPTIVE, 0, 4, 0, 0, 8, TDSP_DESTINATION_COVERED,
       {12, 3, {0, 1}, {20, 1}, "m", "s"}},
      crowd_rows,
-     16}};
+     16},
+    {"swell",
+     {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.25, 0, 1e-11, 12, 11.75, TDSP_SOURCE_COVERED,
+      {UINT64_C(0xfedcba9876543210), 2, {-6, 0}, {6, 0}, "m", "s"}},
+     swell_rows,
+     2}};
 
 static writer *golden_fill_rows(const writer_row *rows, size_t count, const tdsp_allocator *allocator)
 {

@@ -14,14 +14,15 @@ typedef struct golden_table {
     size_t row_count;
 } golden_table;
 
-#define GOLDEN_COUNT 5
+#define GOLDEN_COUNT 6
 
 /*
  * 0 gap:   monotone in travel, lines and arcs of both turns, a jump at row 2, ends cut off
  * 1 road:  monotone in arrival, opaque bytes instead of legs, a flat arrival, ends at a horizon
  * 2 loose: absolute bound, legs that join only up to rounding, a row without a path, an arc that turns by -0
  * 3 still: one row, no path, source and destination the same
- * 4 crowd: enough rows for guides (version 1.1; the others are 1.0), nearly all in a part of the time
+ * 4 crowd: enough rows for guides (version 1.1), nearly all in a part of the time
+ * 5 swell: curves beside an arc, one of no duration that turns by -0 (version 1.2; those before crowd are 1.0)
  */
 extern const golden_table golden_tables[GOLDEN_COUNT];
 

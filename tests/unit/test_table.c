@@ -31,7 +31,8 @@ static void the_header_says_what_the_builder_said(void **state)
         assert_int_equal(tdsp_table_open(&table, bytes, length), TDSP_OK);
         assert_int_equal(tdsp_table_get_info(&table, &info), TDSP_OK);
         assert_int_equal(info.version_major, 1);
-        assert_int_equal(info.version_minor, which == 4 ? 1 : 0);
+        assert_int_equal(info.version_minor, which < 4 ? 0 : which - 3);
+        assert_int_equal(info.curves, which == 5 ? 3 : 0);
         assert_int_equal(info.guide_length > 0, which == 4);
         assert_int_equal(info.monotone, header->monotone);
         assert_int_equal(info.guarantee, header->guarantee);
@@ -332,32 +333,31 @@ static void at_a_joint_of_two_waypoints_the_times_must_agree(void **state)
     free(bytes);
 }
 
-/* Where section `i` of a table starts; in version 1.0 the guides are empty and at the end. */
+/* Where section `i` of a table starts; those that its version does not have are empty and at the end. */
 static size_t section_offset(const unsigned char *bytes, size_t length, size_t i)
 {
-    int there = i < FORMAT_SECTIONS || (i < FORMAT_SECTIONS_1 && bytes_get_u16(bytes + FORMAT_AT_MINOR) > 0);
-    return there ? (size_t)bytes_get_u64(bytes + format_at_offset(i)) : length;
+    return i < format_sections(bytes_get_u16(bytes + FORMAT_AT_MINOR)) ? (size_t)bytes_get_u64(bytes + format_at_offset(i)) : length;
 }
 
-/* As a writer of 1.2 might do: 24 bytes more of header, and a section of 16 bytes in front of each known one and at the end. */
+/* As a writer of 1.3 might do: 24 bytes more of header, and a section of 16 bytes in front of each known one and at the end. */
 static unsigned char *as_newer_minor(const unsigned char *old, size_t old_length, size_t *length)
 {
     const size_t more_header = 24, more_section = 16, old_header = bytes_get_u32(old + FORMAT_AT_HEADER_LENGTH);
-    const size_t header = FORMAT_HEADER_LENGTH_1 + more_header;
-    *length = old_length + header - old_header + (FORMAT_SECTIONS_1 + 1) * more_section;
+    const size_t header = FORMAT_HEADER_LENGTH_2 + more_header;
+    *length = old_length + header - old_header + (FORMAT_SECTIONS_2 + 1) * more_section;
     unsigned char *bytes = malloc(*length);
     assert_non_null(bytes);
     memset(bytes, 0xa5, *length);
-    memset(bytes, 0, FORMAT_HEADER_LENGTH_1);
+    memset(bytes, 0, FORMAT_HEADER_LENGTH_2);
     memcpy(bytes, old, old_header);
-    for (size_t i = 0; i < FORMAT_SECTIONS_1; i++) {
+    for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
         size_t from = section_offset(old, old_length, i);
         size_t to = section_offset(old, old_length, i + 1);
         size_t moved = from + header - old_header + (i + 1) * more_section;
         memcpy(bytes + moved, old + from, to - from);
         bytes_put_u64(bytes + format_at_offset(i), moved);
     }
-    bytes_put_u16(bytes + FORMAT_AT_MINOR, 2);
+    bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
     bytes_put_u32(bytes + FORMAT_AT_HEADER_LENGTH, (uint32_t)header);
     bytes_put_u64(bytes + FORMAT_AT_LENGTH, *length);
     golden_seal(bytes, *length);
@@ -377,7 +377,7 @@ static void a_newer_minor_version_with_a_longer_header_and_more_sections_is_read
         assert_int_equal(tdsp_table_open(&table, bytes, length), TDSP_OK);
         assert_null(walk_table(&table));
         assert_int_equal(tdsp_table_get_info(&table, &info), TDSP_OK);
-        assert_int_equal(info.version_minor, 2);
+        assert_int_equal(info.version_minor, FORMAT_MINOR + 1);
         for (uint64_t row = 0; row < info.rows; row++) {
             tdsp_row a, b;
             assert_int_equal(tdsp_table_row(&before, row, &a), TDSP_OK);

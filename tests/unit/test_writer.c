@@ -58,7 +58,7 @@ static void finishing_twice_gives_the_same_bytes_and_rows_may_follow(void **stat
 }
 
 /* A random path over [departure, departure + left]; `loose` leaves a gap of rounding at some joints. */
-static size_t random_path(uint64_t *chance, tdsp_leg *legs, double departure, double left, int loose)
+static size_t random_path(uint64_t *chance, tdsp_leg *legs, double departure, double left, int loose, int curves)
 {
     size_t count = (size_t)chance_below(chance, 9);
     double time = departure, end = departure + left;
@@ -69,7 +69,7 @@ static size_t random_path(uint64_t *chance, tdsp_leg *legs, double departure, do
         leg.to.x = chance_between(chance, -1, 1);
         leg.to.y = chance_between(chance, -1, 1);
         if (chance_below(chance, 2)) {
-            leg.kind = TDSP_LEG_ARC;
+            leg.kind = curves && chance_below(chance, 2) ? TDSP_LEG_CURVE : TDSP_LEG_ARC;
             leg.disc = (uint32_t)chance_u64(chance);
             leg.turn = chance_below(chance, 2) ? 1 : -1;
             leg.center.x = chance_between(chance, -1, 1);
@@ -78,6 +78,13 @@ static size_t random_path(uint64_t *chance, tdsp_leg *legs, double departure, do
             leg.radius_to = chance_between(chance, 0.1, 1);
             leg.angle_from = chance_between(chance, -7, 7);
             leg.sweep = chance_below(chance, 4) ? chance_between(chance, 0, 7) : 0;
+        }
+        if (leg.kind == TDSP_LEG_CURVE) {
+            leg.speed = chance_between(chance, 1, 2);
+            leg.rate_from = chance_between(chance, -1, 1);
+            leg.rate_to = chance_between(chance, -1, 1);
+            leg.bend_from = chance_between(chance, -9, 9);
+            leg.bend_to = chance_between(chance, -9, 9);
         }
         legs[i] = leg;
         time = leg.end_time;
@@ -111,7 +118,7 @@ static void any_well_formed_path_comes_out_to_the_bit(void **state)
         size_t count = 1 + (size_t)chance_below(&chance, 20), length;
         for (size_t i = 0; i < count; i++) {
             writer_row row = {(double)i * 0.7, 2 + (double)i, 2 + (double)i, legs[i], 0, NULL, 0};
-            row.leg_count = random_path(&chance, legs[i], row.departure, row.left, round % 2);
+            row.leg_count = random_path(&chance, legs[i], row.departure, row.left, round % 2, round % 3);
             rows[i] = row;
         }
         rows[count - 1].right = INFINITY;
@@ -133,7 +140,7 @@ static void a_leg_that_is_not_well_formed_or_does_not_join_is_refused_and_nothin
                           .to = {2, 0}, .center = {1, 1}, .radius_from = 1, .radius_to = 1.5, .sweep = 1};
     writer *w;
     assert_int_equal(writer_create(NULL, &w), TDSP_OK);
-    for (int fault = 0; fault < 22; fault++) {
+    for (int fault = 0; fault < 25; fault++) {
         tdsp_leg legs[2] = {line, arc};
         switch (fault) {
         case 0: legs[0].kind = 2; break;
@@ -157,6 +164,9 @@ static void a_leg_that_is_not_well_formed_or_does_not_join_is_refused_and_nothin
         case 18: legs[1].sweep = NAN; break;
         case 19: legs[1].center.x = INFINITY; break;
         case 20: legs[1].angle_from = NAN; break;
+        case 21: legs[0].kind = 3; break;
+        case 22: legs[0].speed = 1; break;
+        case 23: legs[1].bend_to = 1; break;
         default: legs[1].end_time = NAN; break;
         }
         writer_row row = {0, 2, 2, legs, 2, NULL, 0};

@@ -106,6 +106,7 @@ static gboolean print_json(const char *path, const Facts *facts, GError **error)
     json_out_member_whole(&out, "bytes", info->length);
     json_out_member_whole(&out, "rows", info->rows);
     json_out_member_whole(&out, "legs", info->legs);
+    json_out_member_whole(&out, "curves", info->curves);
     json_out_member_number(&out, "bytes_per_row", bytes_per_row(info));
     json_out_member_whole(&out, "guide_bytes", info->guide_length);
     json_guarantee(&out, info);
@@ -145,6 +146,7 @@ static void text_head(GString *text, const char *path, const tdsp_table_info *in
     g_string_append_printf(
         text, "%-18s%" G_GUINT64_FORMAT " rows, %" G_GUINT64_FORMAT " legs, %" G_GUINT64_FORMAT " bytes (%s a row)\n", "size",
         info->rows, info->legs, info->length, number_brief(per_row, bytes_per_row(info), 5));
+    if (info->curves > 0) g_string_append_printf(text, "%-18s%" G_GUINT64_FORMAT "\n", "curves", info->curves);
     if (info->guide_length > 0)
         g_string_append_printf(text, "%-18s%" G_GUINT64_FORMAT " bytes\n", "guides", info->guide_length);
     g_string_append_printf(text, "%-18s%s, %s %s, %s sampling\n", "guarantee", words_guarantee(info->guarantee),

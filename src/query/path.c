@@ -40,12 +40,11 @@ static double path_moved(const query_path *path, double time)
     return moved < path->latest ? moved : path->latest;
 }
 
-static tdsp_leg path_leg(const tdsp_table *table, const query_path *path, uint64_t leg)
+static void path_leg(const tdsp_table *table, const query_path *path, uint64_t leg, tdsp_leg *out)
 {
-    tdsp_leg out = table_path_leg(table, path->stored, leg);
-    out.start_time = path_moved(path, out.start_time);
-    out.end_time = path_moved(path, out.end_time);
-    return out;
+    table_path_leg(table, path->stored, leg, out);
+    out->start_time = path_moved(path, out->start_time);
+    out->end_time = path_moved(path, out->end_time);
 }
 
 tdsp_status tdsp_table_leg(const tdsp_table *table, double departure, uint64_t leg, tdsp_leg *out)
@@ -55,7 +54,7 @@ tdsp_status tdsp_table_leg(const tdsp_table *table, double departure, uint64_t l
     tdsp_status status = path_find(table, departure, &path);
     if (status != TDSP_OK) return status;
     if (leg >= path.stored.legs) return TDSP_NO_ANSWER;
-    *out = path_leg(table, &path, leg);
+    path_leg(table, &path, leg, out);
     return TDSP_OK;
 }
 
@@ -67,8 +66,7 @@ tdsp_status tdsp_table_path(const tdsp_table *table, double departure, tdsp_leg 
     if (status != TDSP_OK) return status;
     *count = (size_t)path.stored.legs;
     if (*count > capacity) return TDSP_BUFFER_TOO_SMALL;
-    for (size_t i = 0; i < *count; i++)
-        legs[i] = path_leg(table, &path, i);
+    for (size_t i = 0; i < *count; i++) path_leg(table, &path, i, &legs[i]);
     return TDSP_OK;
 }
 
@@ -89,7 +87,8 @@ tdsp_status tdsp_table_position(const tdsp_table *table, double departure, doubl
         else
             high = middle;
     }
-    tdsp_leg leg = path_leg(table, &path, low);
+    tdsp_leg leg;
+    path_leg(table, &path, low, &leg);
     *out = tdsp_leg_position(&leg, time);
     return TDSP_OK;
 }

@@ -22,7 +22,7 @@ tdsp_status tdsp_table_row_leg(const tdsp_table *table, uint64_t row, uint64_t l
     if (!out || !row_exists(table, row)) return TDSP_INVALID_ARGUMENT;
     table_path path = table_row_path(table, row);
     if (leg >= path.legs) return TDSP_NO_ANSWER;
-    *out = table_path_leg(table, path, leg);
+    table_path_leg(table, path, leg, out);
     return TDSP_OK;
 }
 

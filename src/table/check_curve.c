@@ -38,8 +38,8 @@ static int curve_is_tame(const tdsp_leg *leg)
 
 int check_curve(const tdsp_leg *leg)
 {
-    const double numbers[] = {leg->center.x,   leg->center.y, leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep,
-                              leg->rate_from,  leg->rate_to,  leg->bend_from,   leg->bend_to,   leg->speed};
+    const double numbers[] = {leg->center.x,  leg->center.y, leg->radius_from, leg->radius_to, leg->angle_from, leg->sweep,
+                              leg->rate_from, leg->rate_to,  leg->bend_from,   leg->bend_to,   leg->speed};
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         if (!round_is_finite(numbers[i])) return 0;
     if (!(leg->radius_from > 0) || !(leg->radius_to > 0) || !(leg->sweep >= 0)) return 0;

@@ -59,7 +59,8 @@ static int check_legs(const tdsp_table *table, uint64_t row)
 {
     table_path path = table_row_path(table, row);
     for (uint64_t i = 0; i < path.legs && table->curve_count > 0; i++) {
-        tdsp_leg leg = table_path_leg(table, path, i);
+        tdsp_leg leg;
+        table_path_leg(table, path, i, &leg);
         if (leg.kind == TDSP_LEG_CURVE && !check_curve(&leg)) return 0;
     }
     return 1;

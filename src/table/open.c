@@ -104,24 +104,24 @@ static tdsp_guide open_guide(const unsigned char *bytes, size_t section)
 /* How many items a section has that came with version 1.2. */
 static uint64_t open_count(const unsigned char *bytes, size_t section)
 {
-    return section < format_sections(open_minor(bytes)) ? bytes_get_u64(bytes + format_at_offset(section) + FORMAT_FURTHER_AT_COUNT) : 0;
+    return section < format_sections(open_minor(bytes))
+               ? bytes_get_u64(bytes + format_at_offset(section) + FORMAT_FURTHER_AT_COUNT)
+               : 0;
 }
 
-static tdsp_table open_view(const unsigned char *bytes, size_t length)
+static void open_view(tdsp_table *table, const unsigned char *bytes, size_t length)
 {
-    tdsp_table table = {0};
-    table.bytes = bytes;
-    table.length = length;
-    table.rows = bytes_get_u64(bytes + FORMAT_AT_ROWS);
-    table.waypoint_count = bytes_get_u64(bytes + FORMAT_AT_WAYPOINTS);
-    table.arc_count = bytes_get_u64(bytes + FORMAT_AT_ARCS);
-    table.opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
-    table.monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
-    table.joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
-    table.by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
-    table.by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
-    table.curve_count = open_count(bytes, FORMAT_CURVES);
-    return table;
+    table->bytes = bytes;
+    table->length = length;
+    table->rows = bytes_get_u64(bytes + FORMAT_AT_ROWS);
+    table->waypoint_count = bytes_get_u64(bytes + FORMAT_AT_WAYPOINTS);
+    table->arc_count = bytes_get_u64(bytes + FORMAT_AT_ARCS);
+    table->opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
+    table->monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
+    table->joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
+    table->by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
+    table->by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
+    table->curve_count = open_count(bytes, FORMAT_CURVES);
 }
 
 static void open_place_guide(tdsp_guide *guide, const unsigned char *section)
@@ -164,8 +164,9 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     if (status == TDSP_OK) status = open_checksums(bytes, length);
     if (status != TDSP_OK) return status;
 
-    tdsp_table view = open_view(bytes, length);
+    tdsp_table view = {0};
     uint64_t offsets[FORMAT_SECTIONS_2] = {0};
+    open_view(&view, bytes, length);
     if (!open_sections(&view, offsets)) return TDSP_BAD_TABLE;
     open_place(&view, offsets);
     if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;

@@ -64,21 +64,20 @@ void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
     leg->speed = bytes_get_f64(p + FORMAT_CURVE_AT_SPEED);
 }
 
-tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg)
+void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp_leg *out)
 {
     const unsigned char *from = table_waypoint(table, path.first + leg * table->joint);
     const unsigned char *to = from + FORMAT_WAYPOINT_SIZE;
-    tdsp_leg out = {0};
-    out.kind = TDSP_LEG_LINE;
-    out.disc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_DISC);
-    out.start_time = bytes_get_f64(from + FORMAT_WAYPOINT_AT_TIME);
-    out.end_time = bytes_get_f64(to + FORMAT_WAYPOINT_AT_TIME);
-    out.from = table_point(from + FORMAT_WAYPOINT_AT_X);
-    out.to = table_point(to + FORMAT_WAYPOINT_AT_X);
+    memset(out, 0, sizeof *out);
+    out->kind = TDSP_LEG_LINE;
+    out->disc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_DISC);
+    out->start_time = bytes_get_f64(from + FORMAT_WAYPOINT_AT_TIME);
+    out->end_time = bytes_get_f64(to + FORMAT_WAYPOINT_AT_TIME);
+    out->from = table_point(from + FORMAT_WAYPOINT_AT_X);
+    out->to = table_point(to + FORMAT_WAYPOINT_AT_X);
     uint64_t arc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_ARC);
     if (arc < table->arc_count)
-        table_add_arc(table->bytes + table->arcs + FORMAT_ARC_SIZE * arc, &out);
+        table_add_arc(table->bytes + table->arcs + FORMAT_ARC_SIZE * arc, out);
     else if (arc - table->arc_count < table->curve_count)
-        table_add_curve(table, arc - table->arc_count, &out);
-    return out;
+        table_add_curve(table, arc - table->arc_count, out);
 }

@@ -59,7 +59,7 @@ table_path table_row_path(const tdsp_table *table, uint64_t row);
 double table_path_time(const tdsp_table *table, table_path path, uint64_t leg);
 
 /* Leg `leg` < path.legs. */
-tdsp_leg table_path_leg(const tdsp_table *table, table_path path, uint64_t leg);
+void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp_leg *out);
 
 /* Curve `curve` < table->curve_count, put into a leg whose ends it leaves alone. */
 void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg);

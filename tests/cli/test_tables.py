@@ -3,7 +3,7 @@
 import pathlib
 import struct
 
-from harness import GAP_CLOSES, LAST, SCENES, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
+from harness import GAP_CLOSES, LAST, ROOT, SCENES, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
 
 
 def departures(count=60, last=LAST):
@@ -236,6 +236,20 @@ def the_path_of_a_table_is_its_row_s_moved_earlier():
             expect_near(one["radii"][0], 1 + 0.1 * (one["start_time"] + earlier), 1e-6)
     expect(path["arrival"] <= done("query", table, 30, "--json").json["results"][0]["upper"], "arrives after the upper end")
     expect("computed for departure" in done("path", table, 30).out, "no row in text")
+
+
+@test
+def the_path_of_a_table_with_curves_says_how_they_bend():
+    table = ROOT / "tests" / "independent" / "golden" / "swell.tdsp"
+    legs = done("path", table, 0, "--json").json["legs"]
+    expect_equal([leg["type"] for leg in legs], ["line", "arc", "arc", "arc", "line"])
+    expect_equal([legs[2][key] for key in ("radii", "rates", "bends", "sweep", "speed")],
+                 [[4.75, 5.5], [0.375, 0.5], [0.0625, 0], 0.75, 2])
+    expect("rates" not in legs[3] and "sweep" not in legs[3], legs[3])
+    x, y = map(float, done("path", table, 0, "--at", 3).out.split())
+    expect_equal([x, y], legs[2]["from"])
+    expect_equal(done("info", table, "--json").json["curves"], 3)
+    expect("curves            3\n" in done("info", table).out, "no curves in text")
 
 
 @test

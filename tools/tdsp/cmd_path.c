@@ -66,7 +66,7 @@ static gboolean position(const Path *path, double time, tdsp_point *place, GErro
 
 static void table_leg(TextTable *table, const tdsp_leg *leg)
 {
-    gboolean arc = leg->kind == TDSP_LEG_ARC;
+    gboolean arc = leg->kind != TDSP_LEG_LINE;
     g_autofree char *disc = g_strdup_printf("%u", leg->disc);
     text_table_number(table, leg->start_time);
     text_table_number(table, leg->end_time);

@@ -3,7 +3,7 @@
  *
  * Reading an arc: with radii r0, r1 over a time dt the radial speed is V = (r1 - r0) / dt and the rest, w = sqrt(v^2 - V^2), goes
  * round. The angle is the integral of w / R(t) with R linear in t, that is w dt ln(r1 / r0) / (r1 - r0), or w dt / r0 on a circle.
- * The ends give the angle exactly up to 2 pi k; the formula gives k.
+ * The ends give the angle exactly up to 2 pi k; the formula gives k. An arc with rates is a curve, and says its angle itself.
  */
 #include "path_json.h"
 
@@ -13,12 +13,21 @@
 #include "cli.h"
 #include "json_read.h"
 
+static void curve_members(JsonOut *out, const tdsp_leg *leg)
+{
+    json_out_member_point(out, "rates", (tdsp_point){leg->rate_from, leg->rate_to});
+    json_out_member_point(out, "bends", (tdsp_point){leg->bend_from, leg->bend_to});
+    json_out_member_number(out, "sweep", leg->sweep);
+    json_out_member_number(out, "speed", leg->speed);
+}
+
 static void arc_members(JsonOut *out, const tdsp_leg *leg)
 {
     json_out_member_whole(out, "disc", leg->disc);
     json_out_member_point(out, "center", leg->center);
     json_out_member_string(out, "turn", leg->turn > 0 ? "ccw" : "cw");
     json_out_member_point(out, "radii", (tdsp_point){leg->radius_from, leg->radius_to});
+    if (leg->kind == TDSP_LEG_CURVE) curve_members(out, leg);
 }
 
 void path_json_legs(JsonOut *out, const tdsp_leg *legs, gsize count)
@@ -27,12 +36,12 @@ void path_json_legs(JsonOut *out, const tdsp_leg *legs, gsize count)
     for (gsize i = 0; i < count; i++) {
         json_out_line(out);
         json_out_begin(out, '{');
-        json_out_member_string(out, "type", legs[i].kind == TDSP_LEG_ARC ? "arc" : "line");
+        json_out_member_string(out, "type", legs[i].kind == TDSP_LEG_LINE ? "line" : "arc");
         json_out_member_number(out, "start_time", legs[i].start_time);
         json_out_member_number(out, "end_time", legs[i].end_time);
         json_out_member_point(out, "from", legs[i].from);
         json_out_member_point(out, "to", legs[i].to);
-        if (legs[i].kind == TDSP_LEG_ARC) arc_members(out, &legs[i]);
+        if (legs[i].kind != TDSP_LEG_LINE) arc_members(out, &legs[i]);
         json_out_end(out, '}');
     }
     json_out_end(out, ']');
@@ -49,10 +58,9 @@ static double expected_sweep(const tdsp_leg *leg, double speed)
     return turning * duration / leg->radius_from * mean;
 }
 
-static void fill_angles(tdsp_leg *leg, double speed)
+static void fill_sweep(tdsp_leg *leg, double speed)
 {
     double to = atan2(leg->to.y - leg->center.y, leg->to.x - leg->center.x);
-    leg->angle_from = atan2(leg->from.y - leg->center.y, leg->from.x - leg->center.x);
     double turned = (to - leg->angle_from) * leg->turn;
     double laps = rint((expected_sweep(leg, speed) - turned) / (2 * G_PI));
     leg->sweep = fmax(0, turned + 2 * G_PI * laps);
@@ -66,6 +74,21 @@ static gboolean read_word(const JsonValue *object, const char *name, const char 
     for (*which = 0; words[*which]; ++*which)
         if (strcmp(word, words[*which]) == 0) return TRUE;
     return json_read_fail(&member.place, error, "must be \"%s\" or \"%s\"", words[0], words[1]);
+}
+
+static gboolean read_curve(const JsonValue *value, tdsp_leg *leg, GError **error)
+{
+    tdsp_point rates, bends;
+    if (!json_read_member_point(value, "rates", &rates, error) || !json_read_member_point(value, "bends", &bends, error) ||
+        !json_read_member_number(value, "sweep", &leg->sweep, error) ||
+        !json_read_member_number(value, "speed", &leg->speed, error))
+        return FALSE;
+    leg->kind = TDSP_LEG_CURVE;
+    leg->rate_from = rates.x;
+    leg->rate_to = rates.y;
+    leg->bend_from = bends.x;
+    leg->bend_to = bends.y;
+    return TRUE;
 }
 
 static gboolean read_arc(const JsonValue *value, double speed, tdsp_leg *leg, GError **error)
@@ -86,7 +109,9 @@ static gboolean read_arc(const JsonValue *value, double speed, tdsp_leg *leg, GE
     leg->turn = turn == 0 ? 1 : -1;
     leg->radius_from = radii.x;
     leg->radius_to = radii.y;
-    fill_angles(leg, speed);
+    leg->angle_from = atan2(leg->from.y - leg->center.y, leg->from.x - leg->center.x);
+    if (json_read_optional(value, "rates", &member)) return read_curve(value, leg, error);
+    fill_sweep(leg, speed);
     return TRUE;
 }
 

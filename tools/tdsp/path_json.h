@@ -18,8 +18,8 @@ typedef struct PathFile {
 } PathFile;
 
 /**
- * Read a path from `text`, which messages call `file`. The format leaves out how far an arc turns: the two ends tell it up to full
- * laps, and `speed`, the robot's, tells the laps.
+ * Read a path from `text`, which messages call `file`. The format leaves out how far an arc turns unless it is a curve: the two ends
+ * tell it up to full laps, and `speed`, the robot's, tells the laps.
  */
 gboolean path_json_parse(const char *file, const char *text, gsize length, double speed, PathFile *path, GError **error);
 

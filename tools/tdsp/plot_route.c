@@ -1,4 +1,4 @@
-/* Paths: lines as lines, arcs as polylines so fine that the spiral is exact to the eye. */
+/* Paths: lines as lines, arcs and curves as polylines so fine that the spiral is exact to the eye. */
 #include "plot_route.h"
 
 #include <math.h>
@@ -25,7 +25,7 @@ static double scale_of(const Frame *frame)
 
 static guint steps_of(const Frame *frame, const tdsp_leg *leg)
 {
-    if (leg->kind != TDSP_LEG_ARC) return 1;
+    if (leg->kind == TDSP_LEG_LINE) return 1;
     double length = fmax(leg->radius_from, leg->radius_to) * leg->sweep * scale_of(frame);
     return (guint)CLAMP(fmin(length / ARC_PIXELS, leg->sweep / ARC_STEP), 1, MOST_STEPS);
 }
@@ -52,7 +52,7 @@ static void add_obstacles(const Frame *frame, const tdsp_leg *leg, Labels *label
 {
     tdsp_point from = on_canvas(frame, leg->from), to = on_canvas(frame, leg->to);
     double length =
-        leg->kind == TDSP_LEG_ARC ? leg->radius_to * leg->sweep * scale_of(frame) : hypot(to.x - from.x, to.y - from.y);
+        leg->kind != TDSP_LEG_LINE ? leg->radius_to * leg->sweep * scale_of(frame) : hypot(to.x - from.x, to.y - from.y);
     guint steps = (guint)CLAMP(length / OBSTACLE_EVERY, 1, MOST_STEPS);
     for (guint i = 0; i <= steps; i++) {
         tdsp_point at = on_canvas(frame, tdsp_leg_position(leg, leg_time(leg, (double)i / steps)));
@@ -79,11 +79,18 @@ void plot_route_draw(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsiz
     for (gsize i = 0; i < count; i++) add_obstacles(frame, &legs[i], labels);
 }
 
+/* A ride on a disc whose rate changes is many curves. */
+static gboolean begins_ride(const tdsp_leg *legs, gsize i)
+{
+    if (legs[i].kind == TDSP_LEG_LINE) return FALSE;
+    return i == 0 || legs[i - 1].kind == TDSP_LEG_LINE || legs[i - 1].disc != legs[i].disc || legs[i - 1].turn != legs[i].turn;
+}
+
 void plot_route_ridden(cairo_t *cr, const Frame *frame, const tdsp_leg *legs, gsize count)
 {
     static const double dashes[] = {3, 3};
     for (gsize i = 0; i < count; i++) {
-        if (legs[i].kind != TDSP_LEG_ARC) continue;
+        if (!begins_ride(legs, i)) continue;
         tdsp_point center = on_canvas(frame, legs[i].center);
         double radius = legs[i].radius_from * scale_of(frame);
         cairo_new_sub_path(cr);

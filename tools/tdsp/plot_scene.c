@@ -36,7 +36,7 @@ static void extent_add_legs(Extent *extent, const GArray *legs)
         const tdsp_leg *leg = &g_array_index(legs, tdsp_leg, i);
         extent_add(extent, leg->from, 0);
         extent_add(extent, leg->to, 0);
-        if (leg->kind == TDSP_LEG_ARC && leg->sweep > 0.5) extent_add(extent, leg->center, leg->radius_to);
+        if (leg->kind != TDSP_LEG_LINE && leg->sweep > 0.5) extent_add(extent, leg->center, leg->radius_to);
     }
 }
 
@@ -241,7 +241,7 @@ static void legend_line(Legend *legend, gboolean ridden, const char *text)
 static gboolean rides(const GArray *legs)
 {
     for (guint i = 0; i < legs->len; i++)
-        if (g_array_index(legs, tdsp_leg, i).kind == TDSP_LEG_ARC) return TRUE;
+        if (g_array_index(legs, tdsp_leg, i).kind != TDSP_LEG_LINE) return TRUE;
     return FALSE;
 }
 

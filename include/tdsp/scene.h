@@ -64,12 +64,18 @@ TDSP_API const tdsp_disc *tdsp_scene_discs(const tdsp_scene *scene, size_t *coun
  */
 TDSP_API uint64_t tdsp_scene_hash(const tdsp_scene *scene);
 
+/** The hash of the same scene with these ends in the place of its own; NULL: its own. O(n). Since 0.1. */
+TDSP_API uint64_t tdsp_scene_hash_for(const tdsp_scene *scene, const tdsp_ends *ends);
+
 /**
  * The last moment at which the source (destination) is not inside a disc; infinite when it never is covered, negative when
  * it is covered at time 0. `disc`, where not NULL, receives the disc that covers it first, or TDSP_NO_DISC. O(1). Since 0.1.
  */
 TDSP_API double tdsp_scene_source_free_until(const tdsp_scene *scene, uint32_t *disc);
 TDSP_API double tdsp_scene_destination_free_until(const tdsp_scene *scene, uint32_t *disc);
+
+/** The same of any place, finite and not beyond 1e100. Expected O(log n). Since 0.1. */
+TDSP_API double tdsp_scene_free_until(const tdsp_scene *scene, tdsp_point place, uint32_t *disc);
 
 #ifdef __cplusplus
 }

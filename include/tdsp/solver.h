@@ -19,6 +19,9 @@ extern "C" {
 /**
  * The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed; the rounding of a departure
  * and an arrival, 2^-52 of each, comes on top. Times over 2^40 times |sd| / speed in a scene where something grows are refused.
+ *
+ * For other ends than the scene's own (tdsp_solver_set_ends()) with a coordinate farther than |sd| from the middle of the scene's journey, that
+ * distance takes the place of |sd| in the error: the scene's frame is made for its own journey.
  */
 #define TDSP_SOLVER_ERROR 1e-11
 
@@ -35,6 +38,21 @@ TDSP_API tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **o
 
 /** Free a solver; NULL is allowed. Since 0.1. */
 TDSP_API void tdsp_solver_free(tdsp_solver *solver);
+
+/**
+ * Ask about other ends from now on: every later question to this solver, and an oracle made from it, is about them. The scene stays as it is
+ * prepared; nothing is built anew.
+ *
+ * @param ends  copied; NULL for the scene's own, which a new solver asks about
+ * @return TDSP_OK; TDSP_INVALID_ARGUMENT for a coordinate that is not finite or beyond 1e100; TDSP_NOT_SUPPORTED for one farther than 2^20 |sd|
+ *         from the middle of the scene's own journey, s to d (a journey of length 0 takes its unit from the farthest disc)
+ *
+ * Expected O(log n), for the moments at which the ends are covered. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_solver_set_ends(tdsp_solver *solver, const tdsp_ends *ends);
+
+/** The ends asked about. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */
+TDSP_API tdsp_status tdsp_solver_ends(const tdsp_solver *solver, tdsp_ends *out);
 
 /**
  * A(t): the earliest arrival at the destination for a robot that leaves the source at `departure`.
@@ -78,6 +96,13 @@ TDSP_API tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double de
  */
 TDSP_API tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives);
 
+/**
+ * tdsp_earliest_arrival() and tdsp_latest_departure() for these ends in this one question, with the errors of tdsp_solver_set_ends() besides.
+ * The ends that the solver holds stay; tdsp_solver_path() hands out the path of this answer. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_earliest_arrival_for(tdsp_solver *solver, const tdsp_ends *ends, double departure, double *arrival);
+TDSP_API tdsp_status tdsp_latest_departure_for(tdsp_solver *solver, const tdsp_ends *ends, double arrival, double *departure, double *arrives);
+
 /** What ends the departures. */
 typedef struct tdsp_last_departure {
     double departure;   /* t_last; infinite when nothing ever ends the departures; negative when there is no way at t = 0 */
@@ -117,7 +142,8 @@ typedef struct tdsp_solver_work {
 TDSP_API tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *out);
 
 /**
- * The solver as an oracle for the sampler: monotone in travel, with both directions. The oracle borrows the solver.
+ * The solver as an oracle for the sampler: monotone in travel, with both directions. The oracle borrows the solver, and is about the ends that
+ * the solver holds: they must stay while the oracle is used.
  * Since 0.1.
  */
 TDSP_API tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out);

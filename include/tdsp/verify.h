@@ -56,6 +56,10 @@ typedef struct tdsp_verdict {
 TDSP_API tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure,
                                       double arrival, tdsp_verdict *out);
 
+/** The same for a path between these ends; NULL: the scene's own. Since 0.1. */
+TDSP_API tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_ends *ends, const tdsp_leg *legs, size_t count,
+                                          double departure, double arrival, tdsp_verdict *out);
+
 /** What may be wrong with a table besides its bytes. */
 typedef struct tdsp_table_verdict {
     int ok;
@@ -73,6 +77,10 @@ typedef struct tdsp_table_verdict {
  * where the source is the destination. Errors as tdsp_verify_path(). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out);
+
+/** The same for a table between these ends, whose hash is tdsp_scene_hash_for(); NULL: the scene's own. Since 0.1. */
+TDSP_API tdsp_status tdsp_verify_table_for(const tdsp_scene *scene, const tdsp_ends *ends, const tdsp_table *table,
+                                           tdsp_table_verdict *out);
 
 #ifdef __cplusplus
 }

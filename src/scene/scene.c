@@ -46,46 +46,16 @@ static uint64_t hash_point(uint64_t hash, tdsp_point point)
     return hash_double(hash_double(hash, point.x), point.y);
 }
 
-static uint64_t scene_hash(const tdsp_scene *scene)
+/* The scene's hash if these were the ends of its journey. */
+static uint64_t scene_hash(const tdsp_scene *scene, const tdsp_ends *ends)
 {
-    const tdsp_journey *journey = &scene->journey;
-    uint64_t hash = hash_double(hash_double(HASH_FNV1A_SEED, journey->speed), journey->radius);
-    hash = hash_point(hash_point(hash, journey->source), journey->destination);
+    uint64_t hash = hash_double(hash_double(HASH_FNV1A_SEED, scene->journey.speed), scene->journey.radius);
+    hash = hash_point(hash_point(hash, ends->source), ends->destination);
     for (size_t i = 0; i < scene->count; ++i) {
         hash = hash_point(hash, scene->discs[i].center);
         hash = hash_double(hash_double(hash, scene->discs[i].radius), scene->discs[i].growth);
     }
     return hash;
-}
-
-/* When a disc covers a place: the last moment at which it does not, negative where it always does. */
-static double disc_free_until(const tdsp_disc *disc, double robot_radius, tdsp_point place)
-{
-    double gap = hypot(place.x - disc->center.x, place.y - disc->center.y) - (disc->radius + robot_radius);
-    if (disc->growth > 0.0) return gap / disc->growth;
-    return gap < 0.0 ? -1.0 : INFINITY;
-}
-
-/* Does it certainly not cover the place before this time? Without hypot(), for the many that are far away. */
-static int disc_is_late(const tdsp_disc *disc, double robot_radius, tdsp_point place, double time)
-{
-    double reach = disc->radius + robot_radius + (disc->growth > 0.0 ? disc->growth * time : 0.0);
-    tdsp_point offset = point_sub(place, disc->center);
-    return point_dot(offset, offset) > reach * reach * (1.0 + 1e-9);
-}
-
-static scene_cover cover_of(const tdsp_scene *scene, tdsp_point place)
-{
-    scene_cover cover = {INFINITY, TDSP_NO_DISC};
-    for (size_t i = 0; i < scene->count; ++i) {
-        const tdsp_disc *disc = &scene->discs[i];
-        if (disc_is_late(disc, scene->journey.radius, place, cover.time)) continue;
-        double until = disc_free_until(disc, scene->journey.radius, place);
-        if (until >= cover.time) continue;
-        cover.time = until;
-        cover.disc = (uint32_t)i;
-    }
-    return cover;
 }
 
 static double scene_extent(const tdsp_scene *scene)
@@ -101,11 +71,6 @@ static double scene_extent(const tdsp_scene *scene)
     return extent;
 }
 
-static tdsp_point frame_point(const tdsp_scene *scene, tdsp_point place)
-{
-    return point_scale(1.0 / scene->length, point_sub(place, scene->origin));
-}
-
 static void scene_set_frame(tdsp_scene *scene)
 {
     tdsp_point s = scene->journey.source, d = scene->journey.destination;
@@ -116,19 +81,12 @@ static void scene_set_frame(tdsp_scene *scene)
     scene->time = scene->length / scene->journey.speed;
 }
 
-static void scene_set_ends(tdsp_scene *scene)
-{
-    tdsp_point s = scene->journey.source, d = scene->journey.destination;
-    scene_ends ends = {{s, d}, frame_point(scene, s), frame_point(scene, d), cover_of(scene, s), cover_of(scene, d), scene->time};
-    scene->ends = ends;
-}
-
 /* The discs in the frame, as far as the index needs them. */
 static void frame_discs(const tdsp_scene *scene, disc_set *all)
 {
     for (uint32_t i = 0; i < all->count; ++i) {
         const tdsp_disc *disc = &scene->discs[i];
-        geom_disc framed = {frame_point(scene, disc->center), (disc->radius + scene->journey.radius) / scene->length,
+        geom_disc framed = {scene_frame_point(scene, disc->center), (disc->radius + scene->journey.radius) / scene->length,
                             disc->growth / scene->journey.speed, 0.0, 0.0};
         all->forward[i] = framed;
         all->origin[i] = i;
@@ -158,10 +116,11 @@ static tdsp_status scene_prepare(tdsp_scene *scene, const tdsp_disc *discs)
 {
     tdsp_status status = scene_copy_discs(scene, discs);
     if (status != TDSP_OK) return status;
-    scene->hash = scene_hash(scene);
+    const tdsp_ends own = {scene->journey.source, scene->journey.destination};
+    scene->hash = scene_hash(scene, &own);
     scene_set_frame(scene);
-    scene_set_ends(scene);
-    return scene_prepare_discs(scene);
+    status = scene_prepare_discs(scene);
+    return status == TDSP_OK ? scene_ends_make(scene, &own, &scene->ends) : status;
 }
 
 static tdsp_status scene_check(const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
@@ -217,6 +176,11 @@ const tdsp_disc *tdsp_scene_discs(const tdsp_scene *scene, size_t *count)
 uint64_t tdsp_scene_hash(const tdsp_scene *scene)
 {
     return scene->hash;
+}
+
+uint64_t tdsp_scene_hash_for(const tdsp_scene *scene, const tdsp_ends *ends)
+{
+    return ends ? scene_hash(scene, ends) : scene->hash;
 }
 
 static double cover_report(scene_cover cover, uint32_t *disc)

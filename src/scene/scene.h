@@ -60,6 +60,17 @@ static inline int ends_meet(const scene_ends *ends)
     return point_distance(ends->source, ends->destination) == 0.0;
 }
 
+/* When a place, in the user's units, is covered first. Expected O(log n). */
+scene_cover scene_cover_of(const tdsp_scene *scene, tdsp_point place);
+
+/* TDSP_OK, or why these cannot be asked about: as tdsp_solver_set_ends(). */
+tdsp_status scene_ends_make(const tdsp_scene *scene, const tdsp_ends *given, scene_ends *out);
+
+static inline tdsp_point scene_frame_point(const tdsp_scene *scene, tdsp_point place)
+{
+    return point_scale(1.0 / scene->length, point_sub(place, scene->origin));
+}
+
 /* A point of the frame in the user's units. */
 static inline tdsp_point scene_place(const tdsp_scene *scene, tdsp_point point)
 {

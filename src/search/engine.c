@@ -182,12 +182,13 @@ static void engine_forget(disc_engine *engine)
     }
 }
 
-/* The rings of the whole scene stay; those of a part are worth nothing when it has changed. */
+/* The rings of the whole scene stay, as long as not too many points are among them; those of a part are worth nothing when it has changed. */
 static tdsp_status engine_set_around(disc_engine *engine, const disc_set *set)
 {
     int is_whole = set == &engine->scene->all;
     engine->around = is_whole ? &engine->around_all : &engine->around_part;
-    return is_whole && engine->around->set == set ? TDSP_OK : neighbours_begin(engine->around, &engine->scene->allocator, set);
+    int is_kept = is_whole && engine->around->set == set && !neighbours_crowded(engine->around);
+    return is_kept ? TDSP_OK : neighbours_begin(engine->around, &engine->scene->allocator, set);
 }
 
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question)

@@ -14,6 +14,10 @@
 /* ... but is never smaller than this share of the whole set. */
 #define LEAST_RING 1e-6
 
+/* The rings of so many points, and of one more for so many discs, are kept: 320 bytes a disc at most, and some megabyte. */
+#define MOST_POINTS 256u
+#define DISCS_A_POINT 16u
+
 tdsp_status neighbours_begin(neighbourhood *self, const tdsp_allocator *allocator, const disc_set *set)
 {
     tdsp_status status = memory_reserve(allocator, (void **)&self->places, &self->place_capacity, set->count, sizeof *self->places);
@@ -21,7 +25,7 @@ tdsp_status neighbours_begin(neighbourhood *self, const tdsp_allocator *allocato
     if (set->count) memset(self->places, 0, set->count * sizeof *self->places);
     self->set = set;
     self->block_count = self->rings_count = 0;
-    self->points[0] = self->points[1] = 0;
+    self->points[0] = self->points[1] = self->point_count = 0;
     return TDSP_OK;
 }
 
@@ -89,7 +93,13 @@ tdsp_status neighbours_of_point(neighbourhood *self, const tdsp_allocator *alloc
     if (status != TDSP_OK) return status;
     self->points[1] = self->points[0];
     self->points[0] = *place + 1;
+    ++self->point_count;
     return TDSP_OK;
+}
+
+int neighbours_crowded(const neighbourhood *self)
+{
+    return self->point_count > MOST_POINTS + self->set->count / DISCS_A_POINT;
 }
 
 int neighbours_complete(const neighbourhood *self, uint32_t place)

@@ -51,6 +51,7 @@ typedef struct neighbourhood {
     uint32_t *places; /* for each disc: where its rings are, plus 1; 0: not looked up */
     size_t place_capacity;
     uint32_t points[2]; /* the same for the last two points, the newer one first */
+    uint32_t point_count; /* points looked up so far */
 } neighbourhood;
 
 /* Forget everything, and begin with these discs. TDSP_OK or TDSP_NO_MEMORY. O(discs). */
@@ -63,6 +64,9 @@ tdsp_status neighbours_of_disc(neighbourhood *self, const tdsp_allocator *alloca
 
 /* The same around any point. Those of the last two points are remembered. */
 tdsp_status neighbours_of_point(neighbourhood *self, const tdsp_allocator *allocator, tdsp_point point, uint32_t *place);
+
+/* Do the rings of points that are asked about no more take up much room next to the discs? */
+int neighbours_crowded(const neighbourhood *self);
 
 /* Look up one more ring, if they hold fewer than `most` discs; *added is 0 when there are enough of them. Expected O(log n + discs in it). */
 tdsp_status neighbours_widen(neighbourhood *self, const tdsp_allocator *allocator, uint32_t place, uint32_t most, int *added);

@@ -15,7 +15,7 @@ static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *
 {
     engine_question why = solver_forward_question(solver, departure);
     why.explain = 1;
-    why.limit = EXPLAIN_TIME * (1.0 + fabs(why.time) + fabs(why.goal_until));
+    why.limit = EXPLAIN_TIME * (point_distance(why.start, why.goal) + fabs(why.time) + fabs(why.goal_until));
     tdsp_status status = engine_run(&solver->engine, &solver->scene->all, &why);
     *open = status == TDSP_OK && solver->engine.arrived != ENGINE_NONE;
     return status;

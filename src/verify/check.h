@@ -7,8 +7,11 @@
 #include "tdsp/verify.h"
 #include "verify/nearby.h"
 
-/* As tdsp_verify_path(), with good arguments. Takes no memory. */
-tdsp_verdict check_path(const tdsp_scene *scene, const nearby_index *index, const tdsp_leg *legs, size_t count,
+/* The scene's robot between these ends; NULL: the scene's own. */
+tdsp_journey check_journey(const tdsp_scene *scene, const tdsp_ends *ends);
+
+/* As tdsp_verify_path() for this journey, with good arguments. Takes no memory. */
+tdsp_verdict check_path(const tdsp_scene *scene, const tdsp_journey *journey, const nearby_index *index, const tdsp_leg *legs, size_t count,
                         double departure, double arrival);
 
 #endif

@@ -128,10 +128,10 @@ static void check_legs(path_check *check, const tdsp_leg *legs, size_t count, do
     check_clearance(check, &least);
 }
 
-tdsp_verdict check_path(const tdsp_scene *scene, const nearby_index *index, const tdsp_leg *legs, size_t count, double departure,
-                        double arrival)
+tdsp_verdict check_path(const tdsp_scene *scene, const tdsp_journey *journey, const nearby_index *index, const tdsp_leg *legs,
+                        size_t count, double departure, double arrival)
 {
-    path_check check = {tdsp_scene_journey(scene), NULL, 0, index, 0.0, 0.0, {0, -INFINITY, departure, TDSP_NO_DISC, 0, 0.0}};
+    path_check check = {journey, NULL, 0, index, 0.0, 0.0, {0, -INFINITY, departure, TDSP_NO_DISC, 0, 0.0}};
     check.discs = tdsp_scene_discs(scene, &check.disc_count);
     for (size_t i = 0; i < count; i++)
         if (!motion_well_formed(&legs[i])) check_note(&check, TDSP_PROBLEM_LEG, i);
@@ -147,15 +147,32 @@ tdsp_verdict check_path(const tdsp_scene *scene, const nearby_index *index, cons
     return check.verdict;
 }
 
+tdsp_journey check_journey(const tdsp_scene *scene, const tdsp_ends *ends)
+{
+    tdsp_journey journey = *tdsp_scene_journey(scene);
+    if (!ends) return journey;
+    journey.source = ends->source;
+    journey.destination = ends->destination;
+    return journey;
+}
+
 tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure, double arrival,
                              tdsp_verdict *out)
 {
+    return tdsp_verify_path_for(scene, NULL, legs, count, departure, arrival, out);
+}
+
+tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_ends *ends, const tdsp_leg *legs, size_t count, double departure,
+                                 double arrival, tdsp_verdict *out)
+{
     if (!scene || !out || (!legs && count > 0)) return TDSP_INVALID_ARGUMENT;
     if (!isfinite(departure) || departure < 0.0 || !isfinite(arrival)) return TDSP_INVALID_ARGUMENT;
+    const tdsp_journey journey = check_journey(scene, ends);
+    if (tdsp_journey_check(&journey)) return TDSP_INVALID_ARGUMENT;
     nearby_index index;
     const tdsp_status status = nearby_build(scene, &scene->allocator, &index);
     if (status != TDSP_OK) return status;
-    *out = check_path(scene, &index, legs, count, departure, arrival);
+    *out = check_path(scene, &journey, &index, legs, count, departure, arrival);
     nearby_free(&index);
     return TDSP_OK;
 }

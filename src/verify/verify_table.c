@@ -20,6 +20,7 @@
 
 typedef struct table_check {
     const tdsp_scene *scene;
+    tdsp_journey journey;
     const tdsp_table *table;
     tdsp_table_info info;
     nearby_index index;
@@ -97,7 +98,7 @@ static tdsp_status check_row_path(table_check *check, uint64_t i, const tdsp_row
     if (status != TDSP_OK) return status;
     const double promised = row->departure + row->left;
     const double arrival = count > 0 ? check->legs[count - 1].end_time : promised;
-    tdsp_verdict verdict = check_path(check->scene, &check->index, check->legs, count, row->departure, arrival);
+    tdsp_verdict verdict = check_path(check->scene, &check->journey, &check->index, check->legs, count, row->departure, arrival);
     if (arrival > promised + rounding_of(row->departure, row->left)) verdict.problems |= TDSP_PROBLEM_END;
     if (verdict.problems) check_bad_row(check, i, &check->verdict.bad_paths);
     keep_worst(&check->verdict.worst, &verdict);
@@ -136,14 +137,20 @@ static tdsp_status check_rows(table_check *check)
 
 tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out)
 {
+    return tdsp_verify_table_for(scene, NULL, table, out);
+}
+
+tdsp_status tdsp_verify_table_for(const tdsp_scene *scene, const tdsp_ends *ends, const tdsp_table *table, tdsp_table_verdict *out)
+{
     if (!scene || !table || !out) return TDSP_INVALID_ARGUMENT;
-    table_check check = {.scene = scene, .table = table, .verdict = {.first_bad_row = UINT64_MAX}};
+    table_check check = {.scene = scene, .journey = check_journey(scene, ends), .table = table, .verdict = {.first_bad_row = UINT64_MAX}};
     check.verdict.worst = (tdsp_verdict){.min_clearance = INFINITY, .disc = TDSP_NO_DISC};
+    if (tdsp_journey_check(&check.journey)) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = tdsp_table_get_info(table, &check.info);
     if (status != TDSP_OK) return status;
     status = nearby_build(scene, &scene->allocator, &check.index);
     if (status != TDSP_OK) return status;
-    check.verdict.stale = check.info.scene_hash != tdsp_scene_hash(scene);
+    check.verdict.stale = check.info.scene_hash != tdsp_scene_hash_for(scene, ends);
     status = check_rows(&check);
     memory_free(&check.index.allocator, check.legs, check.capacity * sizeof *check.legs);
     nearby_free(&check.index);

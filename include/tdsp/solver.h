@@ -39,6 +39,9 @@ TDSP_API tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **o
 /** Free a solver; NULL is allowed. Since 0.1. */
 TDSP_API void tdsp_solver_free(tdsp_solver *solver);
 
+/** The scene that the solver was made for. O(1). Since 0.1. */
+TDSP_API const tdsp_scene *tdsp_solver_scene(const tdsp_solver *solver);
+
 /**
  * Ask about other ends from now on: every later question to this solver, and an oracle made from it, is about them. The scene stays as it is
  * prepared; nothing is built anew.

@@ -4,6 +4,7 @@
 
 #include "tdsp/build.h"
 #include "tdsp/growth.h"
+#include "tdsp/margin.h"
 #include "tdsp/oracle.h"
 #include "tdsp/path.h"
 #include "tdsp/scene.h"

@@ -40,6 +40,11 @@ void tdsp_solver_free(tdsp_solver *solver)
     memory_free(memory, solver, sizeof *solver);
 }
 
+const tdsp_scene *tdsp_solver_scene(const tdsp_solver *solver)
+{
+    return solver->scene;
+}
+
 /* From here on a double no longer tells the moments of one journey apart. */
 #define FAR_AWAY 1099511627776.0 /* 2^40 */
 

@@ -1,0 +1,144 @@
+/*
+ * The latest departure for a deadline, and why no later one is in time.
+ *
+ * A is strictly increasing and left-continuous. When the latest departure arrives at the deadline itself, A is continuous enough there: the deadline
+ * is the limit. When it arrives earlier, A jumps over the deadline right after it, or ends: the search for a moment later tells which, and what the
+ * path of the latest departure touches tells where (witness.h).
+ */
+#include <math.h>
+
+#include "margin/witness.h"
+#include "scene/scene.h" /* the allocator and the unit of time, nothing else */
+#include "tdsp/margin.h"
+
+/* An arrival this near to the deadline, relative to the journey and to the time itself, is at the deadline. */
+#define SAME_TIME 1e-10
+#define ROUNDING 1e-14
+
+/* "A moment later", relative to the same. */
+#define MOMENT 2e-9
+#define MOMENT_ROUNDING 1e-13
+
+const char *tdsp_limit_name(tdsp_limit limit)
+{
+    switch (limit) {
+    case TDSP_LIMIT_NONE: return "none";
+    case TDSP_LIMIT_DEADLINE: return "deadline";
+    case TDSP_LIMIT_GAP: return "gap";
+    case TDSP_LIMIT_JUMP: return "jump";
+    case TDSP_LIMIT_SOURCE_COVERED: return "source_covered";
+    case TDSP_LIMIT_DESTINATION_COVERED: return "destination_covered";
+    case TDSP_LIMIT_CUT_OFF: return "cut_off";
+    case TDSP_LIMIT_TOUCH: return "touch";
+    }
+    return "unknown";
+}
+
+/* A question under way, with the path of the latest departure. */
+typedef struct deadline_state {
+    tdsp_solver *solver;
+    const tdsp_allocator *memory;
+    tdsp_deadline_answer answer;
+    tdsp_leg *legs;
+    size_t count;
+} deadline_state;
+
+static double share_of(const deadline_state *state, double share, double rounding)
+{
+    const tdsp_deadline_answer *answer = &state->answer;
+    const double unit = tdsp_solver_scene(state->solver)->time;
+    return share * (unit + answer->arrival - answer->departure) + rounding * answer->arrival;
+}
+
+static tdsp_status deadline_take_path(deadline_state *state)
+{
+    tdsp_status status = tdsp_solver_path(state->solver, NULL, 0, &state->count);
+    if (status != TDSP_BUFFER_TOO_SMALL) return status;
+    state->legs = memory_array(state->memory, state->count, sizeof *state->legs);
+    if (!state->legs) return TDSP_NO_MEMORY;
+    return tdsp_solver_path(state->solver, state->legs, state->count, &state->count);
+}
+
+/* The gap that the path passes last, where one is found; else what is known without it. */
+static tdsp_status deadline_gap(deadline_state *state, tdsp_limit otherwise)
+{
+    tdsp_witness gap;
+    const tdsp_status status = witness_gap(tdsp_solver_scene(state->solver), state->legs, state->count, &gap);
+    if (status != TDSP_OK) return status;
+    state->answer.witness.limit = otherwise;
+    if (gap.limit == TDSP_LIMIT_GAP) state->answer.witness = gap;
+    return TDSP_OK;
+}
+
+/* There is no way any more. */
+static tdsp_status deadline_end(deadline_state *state)
+{
+    tdsp_last_departure last;
+    tdsp_status status = tdsp_solver_last_departure(state->solver, &last);
+    if (status != TDSP_OK) return status;
+    if (last.reason == TDSP_CUT_OFF && last.other == TDSP_NO_DISC) return deadline_gap(state, TDSP_LIMIT_CUT_OFF);
+    const tdsp_limit limit = last.reason == TDSP_SOURCE_COVERED        ? TDSP_LIMIT_SOURCE_COVERED
+                             : last.reason == TDSP_DESTINATION_COVERED ? TDSP_LIMIT_DESTINATION_COVERED
+                                                                       : TDSP_LIMIT_GAP;
+    state->answer.witness = (tdsp_witness){limit, last.disc, last.other, last.time, last.place};
+    return TDSP_OK;
+}
+
+/* What happens a moment after the latest departure. */
+static tdsp_status deadline_look_after(deadline_state *state)
+{
+    tdsp_deadline_answer *answer = &state->answer;
+    const double after = answer->departure + share_of(state, MOMENT, MOMENT_ROUNDING);
+    answer->after = tdsp_earliest_arrival(state->solver, after, &answer->after_arrival);
+    if (answer->after == TDSP_OK) return deadline_gap(state, TDSP_LIMIT_JUMP);
+    return tdsp_status_is_answer(answer->after) ? deadline_end(state) : answer->after;
+}
+
+/* The limit of a latest departure that arrives before the deadline; leaves the solver with its path. */
+static tdsp_status deadline_explain(deadline_state *state)
+{
+    double again;
+    tdsp_status status = deadline_look_after(state);
+    if (status == TDSP_OK) status = tdsp_earliest_arrival(state->solver, state->answer.departure, &again);
+    return status;
+}
+
+tdsp_status tdsp_solver_deadline(tdsp_solver *solver, double deadline, tdsp_deadline_answer *out)
+{
+    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
+    const tdsp_scene *scene = tdsp_solver_scene(solver);
+    const tdsp_point goal = tdsp_scene_journey(scene)->destination;
+    deadline_state state = {.solver = solver, .memory = &scene->allocator};
+    tdsp_deadline_answer *answer = &state.answer;
+    *answer = (tdsp_deadline_answer){
+        INFINITY, INFINITY, {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, goal}, TDSP_OK, INFINITY};
+    tdsp_status status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
+    if (status != TDSP_OK) return status;
+    if (!isinf(answer->departure)) status = deadline_take_path(&state);
+    if (status == TDSP_OK && state.count > 0) answer->witness.place = state.legs[state.count - 1].to;
+    if (deadline - answer->arrival <= share_of(&state, SAME_TIME, ROUNDING)) {
+        answer->witness.limit = TDSP_LIMIT_DEADLINE;
+        answer->witness.time = answer->after_arrival = deadline;
+    } else if (status == TDSP_OK && !isinf(answer->departure)) {
+        status = deadline_explain(&state);
+    }
+    memory_free(state.memory, state.legs, state.count * sizeof *state.legs);
+    if (status == TDSP_OK) *out = *answer;
+    return status;
+}
+
+tdsp_status tdsp_solver_slack(tdsp_solver *solver, double departure, double deadline, tdsp_slack *out)
+{
+    if (!solver || !out || isnan(deadline)) return TDSP_INVALID_ARGUMENT;
+    tdsp_slack slack = {.arrival = INFINITY, .early = -INFINITY, .later = -INFINITY};
+    slack.status = tdsp_earliest_arrival(solver, departure, &slack.arrival);
+    if (!tdsp_status_is_answer(slack.status)) return slack.status;
+    if (slack.status == TDSP_OK) slack.early = deadline - slack.arrival;
+    slack.latest_status = tdsp_solver_deadline(solver, deadline, &slack.latest);
+    if (!tdsp_status_is_answer(slack.latest_status)) return slack.latest_status;
+    if (slack.latest_status == TDSP_OK) slack.later = slack.latest.departure - departure;
+    /* A departure at the limit is in time, whatever the rounding of the latest. */
+    if (slack.early >= 0.0) slack.later = fmax(slack.later, 0.0);
+    *out = slack;
+    return TDSP_OK;
+}

@@ -60,7 +60,8 @@ TDSP_API const tdsp_disc *tdsp_scene_discs(const tdsp_scene *scene, size_t *coun
 
 /**
  * 64-bit FNV-1a hash of the scene's doubles in order (speed, robot radius, source, destination, then centre, radius and growth
- * of each disc; each as 8 little-endian bytes, -0 as 0). A table carries it. O(n). Since 0.1.
+ * of each disc; each as 8 little-endian bytes, -0 as 0). Where a disc's rate changes (tdsp/growth.h) each disc's are centre, number of
+ * pieces, and start, degree and coefficients of each piece. A table carries it. O(n). Since 0.1.
  */
 TDSP_API uint64_t tdsp_scene_hash(const tdsp_scene *scene);
 

@@ -1,6 +1,8 @@
 /* Reading growth laws: what they are stands in law.h. */
 #include "geom/law.h"
 
+#include <math.h>
+
 uint32_t law_piece_at(const geom_law *law, double time)
 {
     uint32_t low = 0, high = law->count; /* pieces[low] begins in time, pieces[high] does not */
@@ -23,4 +25,47 @@ law_jet law_piece_jet(const law_piece *piece, double time)
     }
     jet.bend *= 2.0;
     return jet;
+}
+
+polynomial law_piece_polynomial(const law_piece *piece)
+{
+    polynomial p = {(int)piece->degree, {0.0}};
+    for (uint32_t k = 0; k <= piece->degree; ++k) p.c[k] = piece->c[k];
+    return p;
+}
+
+/* The last piece that begins with no more than a radius. */
+static uint32_t law_piece_within(const geom_law *law, double radius)
+{
+    uint32_t low = 0, high = law->count; /* pieces[low] does, pieces[high] does not */
+    while (high - low > 1) {
+        uint32_t middle = low + (high - low) / 2;
+        if (law->pieces[middle].c[0] <= radius) low = middle;
+        else high = middle;
+    }
+    return low;
+}
+
+/* The same in the last piece of all. */
+static double law_end_within_until(const law_piece *piece, double radius)
+{
+    polynomial over = law_piece_polynomial(piece);
+    over.c[0] -= radius;
+    if (piece->degree == 0) return INFINITY;
+    return over.c[0] < 0.0 ? piece->start + polynomial_first_root(&over) : piece->start;
+}
+
+double law_within_until(const geom_law *law, double radius)
+{
+    double roots[POLYNOMIAL_DEGREE];
+    if (law->pieces[0].c[0] > radius) return -1.0;
+    uint32_t k = law_piece_within(law, radius);
+    const law_piece *piece = &law->pieces[k];
+    if (k + 1 == law->count) return law_end_within_until(piece, radius);
+    double length = piece[1].start - piece->start;
+    polynomial over = law_piece_polynomial(piece);
+    over.c[0] -= radius;
+    int found = polynomial_roots(&over, 0.0, length, roots);
+    if (found > 0) return fmin(piece->start + roots[found - 1], piece[1].start);
+    return polynomial_value(&over, length) > 0.0 ? piece->start : piece[1].start;
 }

@@ -9,6 +9,8 @@
 
 #include <stdint.h>
 
+#include "geom/polynomial.h"
+
 #define LAW_DEGREE 8
 
 typedef struct law_piece {
@@ -34,5 +36,11 @@ uint32_t law_piece_at(const geom_law *law, double time);
 
 /* A piece's polynomial at a time, which may lie beyond its ends. */
 law_jet law_piece_jet(const law_piece *piece, double time);
+
+/* Its polynomial, of the time since its start. */
+polynomial law_piece_polynomial(const law_piece *piece);
+
+/* The last moment at which R is not over a radius: infinite where it never is, -1 where it always is. O(log count) and a root. */
+double law_within_until(const geom_law *law, double radius);
 
 #endif

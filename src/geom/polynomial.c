@@ -204,6 +204,68 @@ int polynomial_roots(const polynomial *p, double from, double to, double roots[P
     return search.count;
 }
 
+static int floor_divide(int a, int b)
+{
+    return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+/*
+ * All roots but 0 have sizes between 2^low and 2^high; 0 where there are none. Where x <= 2^floor((e[k'] - 6 - e[k]) / (k - k')), with k' the lowest term
+ * and 2^(e[k] - 1) <= |c[k]| < 2^e[k], each other term is below 2^-5 of the lowest, and there are at most 18. The other end is the same backwards.
+ */
+static int polynomial_root_sizes(const polynomial *p, int *low, int *high)
+{
+    int e[POLYNOMIAL_DEGREE + 1], m = 0, n = p->degree;
+    while (n > 0 && p->c[n] == 0.0) --n;
+    while (m < n && p->c[m] == 0.0) ++m;
+    *low = INT_MAX;
+    *high = INT_MIN;
+    for (int k = m; k <= n; ++k) (void)frexp(p->c[k], &e[k]);
+    for (int k = m; k <= n; ++k) {
+        if (p->c[k] == 0.0) continue;
+        if (k > m && floor_divide(e[m] - 6 - e[k], k - m) < *low) *low = floor_divide(e[m] - 6 - e[k], k - m);
+        if (k < n && -floor_divide(e[n] - 6 - e[k], n - k) > *high) *high = -floor_divide(e[n] - 6 - e[k], n - k);
+    }
+    return n > m;
+}
+
+/* An interval for polynomial_first_root() ends at this many times its begin. */
+#define STRIDE 4 /* as a power of two */
+
+#define FARTHEST 1000
+
+/* The sign of p inside of an interval in which it has one sign. */
+static int polynomial_sign_within(const polynomial *p, double from, double to)
+{
+    scaled_polynomial scaled;
+    if (!polynomial_scale(p, from, to, &scaled)) return 0;
+    double value = polynomial_value(&scaled.p, scaled.to);
+    if (value == 0.0) value = polynomial_value(&scaled.p, 0.5 * (scaled.from + scaled.to));
+    return (value > 0.0) - (value < 0.0);
+}
+
+/*
+ * One search over all sizes would see nothing small beside a root that is 2^47 times as large: hence intervals that grow. A root may lie where one ends and
+ * the next begins.
+ */
+double polynomial_first_root(const polynomial *p)
+{
+    double roots[POLYNOMIAL_DEGREE];
+    int low, high, sign = 0;
+    if (!polynomial_root_sizes(p, &low, &high)) return INFINITY;
+    low = low < -FARTHEST ? -FARTHEST : low;
+    high = high > FARTHEST ? FARTHEST : high;
+    for (int power = low; power <= high; power += STRIDE) {
+        double from = ldexp(1.0, power), to = ldexp(1.0, power + STRIDE);
+        int found = polynomial_roots(p, from, to, roots);
+        int within = polynomial_sign_within(p, from, found ? 0.5 * (from + roots[0]) : to);
+        if (sign && within == -sign) return from;
+        if (found) return roots[0];
+        if (within) sign = within;
+    }
+    return INFINITY;
+}
+
 /* Round-off of bernstein_form() is below 8 (n + 1) half units in the last place of the same sums without signs. */
 static double bernstein_error(const scaled_polynomial *scaled)
 {

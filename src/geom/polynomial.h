@@ -31,6 +31,9 @@ polynomial polynomial_derivative(const polynomial *p);
  */
 int polynomial_roots(const polynomial *p, double from, double to, double roots[POLYNOMIAL_DEGREE]);
 
+/* The first place over 0 where p changes its sign, however far; infinite where it never does. */
+double polynomial_first_root(const polynomial *p);
+
 /* A lower bound on p over [from, to], round-off included; tight as the interval shrinks. */
 double polynomial_least(const polynomial *p, double from, double to);
 

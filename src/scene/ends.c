@@ -63,6 +63,7 @@ scene_cover scene_cover_of(const tdsp_scene *scene, tdsp_point place)
     scene_cover cover = {INFINITY, TDSP_NO_DISC};
     cover_look later[INDEX_DEPTH];
     int top = 0;
+    if (scene->pieces) return scene_law_cover(scene, place);
     if (scene->all.count > 0) later[top++] = (cover_look){0, -INFINITY};
     while (top > 0) {
         cover_look look = later[--top];

@@ -51,6 +51,7 @@ static uint64_t scene_hash(const tdsp_scene *scene, const tdsp_ends *ends)
 {
     uint64_t hash = hash_double(hash_double(HASH_FNV1A_SEED, scene->journey.speed), scene->journey.radius);
     hash = hash_point(hash_point(hash, ends->source), ends->destination);
+    if (scene->pieces) return scene_law_hash(scene, hash);
     for (size_t i = 0; i < scene->count; ++i) {
         hash = hash_point(hash, scene->discs[i].center);
         hash = hash_double(hash_double(hash, scene->discs[i].radius), scene->discs[i].growth);
@@ -103,40 +104,19 @@ static tdsp_status scene_prepare_discs(tdsp_scene *scene)
     return set_prepare_whole(all, &scene->allocator);
 }
 
-static tdsp_status scene_copy_discs(tdsp_scene *scene, const tdsp_disc *discs)
+static tdsp_status scene_prepare(tdsp_scene *scene)
 {
-    if (scene->count == 0) return TDSP_OK;
-    scene->discs = memory_array(&scene->allocator, scene->count, sizeof *scene->discs);
-    if (!scene->discs) return TDSP_NO_MEMORY;
-    memcpy(scene->discs, discs, scene->count * sizeof *discs);
-    return TDSP_OK;
-}
-
-static tdsp_status scene_prepare(tdsp_scene *scene, const tdsp_disc *discs)
-{
-    tdsp_status status = scene_copy_discs(scene, discs);
-    if (status != TDSP_OK) return status;
     const tdsp_ends own = {scene->journey.source, scene->journey.destination};
     scene->hash = scene_hash(scene, &own);
     scene_set_frame(scene);
-    status = scene_prepare_discs(scene);
+    tdsp_status status = scene->pieces ? TDSP_OK : scene_prepare_discs(scene);
     return status == TDSP_OK ? scene_ends_make(scene, &own, &scene->ends) : status;
 }
 
-static tdsp_status scene_check(const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
+tdsp_status scene_begin(const tdsp_journey *journey, size_t count, const tdsp_allocator *allocator, tdsp_scene **out)
 {
+    if (count > 0x7fffffff) return TDSP_INVALID_ARGUMENT;
     if (tdsp_journey_check(journey)) return TDSP_BAD_SCENE;
-    for (size_t i = 0; i < count; ++i)
-        if (tdsp_disc_check(&discs[i])) return TDSP_BAD_SCENE;
-    return TDSP_OK;
-}
-
-tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, const tdsp_allocator *allocator,
-                              tdsp_scene **out)
-{
-    if (!journey || !out || (count && !discs) || count > 0x7fffffff) return TDSP_INVALID_ARGUMENT;
-    tdsp_status status = scene_check(journey, discs, count);
-    if (status != TDSP_OK) return status;
     tdsp_allocator memory = memory_allocator(allocator);
     tdsp_scene *scene = memory_array(&memory, 1, sizeof *scene);
     if (!scene) return TDSP_NO_MEMORY;
@@ -144,13 +124,36 @@ tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *disc
     scene->allocator = memory;
     scene->journey = *journey;
     scene->count = count;
-    status = scene_prepare(scene, discs);
-    if (status != TDSP_OK) {
+    scene->valid_until = INFINITY;
+    scene->shrinks = TDSP_NO_DISC;
+    scene->discs = memory_array(&memory, count, sizeof *scene->discs);
+    if (count > 0 && !scene->discs) {
         tdsp_scene_free(scene);
-        return status;
+        return TDSP_NO_MEMORY;
     }
     *out = scene;
     return TDSP_OK;
+}
+
+tdsp_status scene_finish(tdsp_scene *scene, tdsp_status status, tdsp_scene **out)
+{
+    if (status == TDSP_OK) status = scene_prepare(scene);
+    if (status == TDSP_OK) *out = scene;
+    else tdsp_scene_free(scene);
+    return status;
+}
+
+tdsp_status tdsp_scene_create(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, const tdsp_allocator *allocator,
+                              tdsp_scene **out)
+{
+    tdsp_scene *scene;
+    if (!journey || !out || (count && !discs)) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = scene_begin(journey, count, allocator, &scene);
+    if (status != TDSP_OK) return status;
+    if (count > 0) memcpy(scene->discs, discs, count * sizeof *discs);
+    for (size_t i = 0; i < count && status == TDSP_OK; ++i)
+        if (tdsp_disc_check(&discs[i])) status = TDSP_BAD_SCENE;
+    return scene_finish(scene, status, out);
 }
 
 void tdsp_scene_free(tdsp_scene *scene)
@@ -158,6 +161,8 @@ void tdsp_scene_free(tdsp_scene *scene)
     if (!scene) return;
     tdsp_allocator memory = scene->allocator;
     memory_free(&memory, scene->discs, scene->count * sizeof *scene->discs);
+    memory_free(&memory, scene->pieces, scene->pieces ? scene->first_piece[scene->count] * sizeof *scene->pieces : 0);
+    memory_free(&memory, scene->first_piece, (scene->count + 1) * sizeof *scene->first_piece);
     set_free(&scene->all, &memory);
     memory_free(&memory, scene, sizeof *scene);
 }

@@ -9,6 +9,7 @@
 #define SCENE_SCENE_H
 
 #include "geom/disc.h"
+#include "geom/law.h"
 #include "scene/allocator.h"
 #include "scene/disc_set.h"
 #include "tdsp/scene.h"
@@ -39,8 +40,33 @@ struct tdsp_scene {
     double length; /* of the frame's unit, in the user's */
     double time;   /* likewise */
     scene_ends ends; /* of its own journey */
-    disc_set all; /* the discs that matter; origin: the index in `discs` */
+    disc_set all; /* the discs that matter; origin: the index in `discs`. Empty where there are pieces */
+
+    law_piece *pieces;     /* of all discs, in the user's units, without the robot's radius; NULL where every disc has one rate */
+    uint32_t *first_piece; /* disc i has those from first_piece[i] to before first_piece[i + 1] */
+    double valid_until;    /* the first moment at which a radius would shrink, ... */
+    uint32_t shrinks;      /* ... and that disc */
 };
+
+/*
+ * A scene with room for `count` discs, which scene_finish() expects to be filled in, pieces too where there are any. TDSP_OK, TDSP_INVALID_ARGUMENT,
+ * TDSP_BAD_SCENE for the journey, or TDSP_NO_MEMORY.
+ */
+tdsp_status scene_begin(const tdsp_journey *journey, size_t count, const tdsp_allocator *allocator, tdsp_scene **out);
+
+/* Prepare it and hand it over, or free it. */
+tdsp_status scene_finish(tdsp_scene *scene, tdsp_status status, tdsp_scene **out);
+
+/* How a disc grows, in the user's units. Only where there are pieces. */
+static inline geom_law scene_law(const tdsp_scene *scene, uint32_t disc)
+{
+    geom_law law = {scene->pieces + scene->first_piece[disc], scene->first_piece[disc + 1] - scene->first_piece[disc]};
+    return law;
+}
+
+/* When a place is covered first, where there are pieces; and their part of the scene's hash. */
+scene_cover scene_law_cover(const tdsp_scene *scene, tdsp_point place);
+uint64_t scene_law_hash(const tdsp_scene *scene, uint64_t hash);
 
 /* Is this end inside a disc at a time in the user's units? */
 static inline int scene_covered(scene_cover cover, double time)
@@ -51,6 +77,7 @@ static inline int scene_covered(scene_cover cover, double time)
 /* Does nothing grow? */
 static inline int scene_is_still(const tdsp_scene *scene)
 {
+    if (scene->pieces) return 0;
     return scene->all.count == 0 || scene->all.index.nodes[0].rate == 0.0;
 }
 

@@ -1,6 +1,8 @@
 /* Why there is no way: the rule is in reason.h. */
 #include "search/reason.h"
 
+#include "tdsp/growth.h"
+
 /* A search for the reason ends at this many times the times at hand: departure, cover of the destination, and journey. */
 #define EXPLAIN_TIME 64.0
 
@@ -30,7 +32,7 @@ static tdsp_status scene_at(const tdsp_solver *solver, double time, tdsp_scene *
     if (!discs) return TDSP_NO_MEMORY;
     for (size_t i = 0; i < scene->count; ++i) {
         discs[i] = scene->discs[i];
-        discs[i].radius += discs[i].growth * time;
+        (void)tdsp_scene_disc_at(scene, (uint32_t)i, time, &discs[i].radius, NULL);
         discs[i].growth = 0.0;
     }
     tdsp_status status = tdsp_scene_create(&journey, discs, scene->count, &scene->allocator, still);

@@ -6,6 +6,7 @@
 #include "geom/tolerance.h"
 #include "search/gap.h"
 #include "search/reason.h"
+#include "tdsp/growth.h"
 
 /* Chunks of rides after which the oracle does without an exact answer, where it may. */
 #define ORACLE_PATIENCE 20000u
@@ -13,6 +14,7 @@
 tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
 {
     if (!scene || !out) return TDSP_INVALID_ARGUMENT;
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
     tdsp_solver *solver = memory_array(&scene->allocator, 1, sizeof *solver);
     if (!solver) return TDSP_NO_MEMORY;
     memset(solver, 0, sizeof *solver);

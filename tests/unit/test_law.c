@@ -49,11 +49,53 @@ static void a_jet_is_the_polynomial_and_its_derivatives(void **state)
     }
 }
 
+/* By halving. */
+static double halved_until(const geom_law *law, double radius)
+{
+    double lo = 0.0, hi = 1e12;
+    if (law->pieces[0].c[0] > radius) return -1.0;
+    if (law_piece_jet(&law->pieces[law_piece_at(law, hi)], hi).radius <= radius) return INFINITY;
+    for (int k = 0; k < 200; ++k) {
+        double middle = 0.5 * (lo + hi);
+        *(law_piece_jet(&law->pieces[law_piece_at(law, middle)], middle).radius <= radius ? &lo : &hi) = middle;
+    }
+    return lo;
+}
+
+/* Pieces with coefficients that are not negative; some are flat. */
+static uint32_t draw_pieces(uint64_t *chance, law_piece *pieces, uint32_t most)
+{
+    uint32_t count = 1 + (uint32_t)chance_below(chance, most);
+    double start = 0.0, radius = chance_unit(chance);
+    for (uint32_t i = 0; i < count; ++i) {
+        law_piece piece = {start, {radius}, (uint32_t)chance_below(chance, LAW_DEGREE + 1)};
+        for (uint32_t k = 1; k <= piece.degree; ++k) piece.c[k] = chance_between(chance, 0.1, 1.0);
+        pieces[i] = piece;
+        start += chance_between(chance, 0.1, 1.0);
+        radius = law_piece_jet(&piece, start).radius;
+    }
+    return count;
+}
+
+static void a_law_is_within_a_radius_until_it_reaches_it(void **state)
+{
+    (void)state;
+    uint64_t chance = SEED + 2;
+    for (int k = 0; k < 5000; ++k) {
+        law_piece pieces[6];
+        geom_law law = {pieces, draw_pieces(&chance, pieces, 6)};
+        double radius = chance_below(&chance, 4) ? chance_between(&chance, 0.0, 5.0) : pieces[chance_below(&chance, law.count)].c[0];
+        double expected = halved_until(&law, radius), found = law_within_until(&law, radius);
+        assert_near(found, expected, 1e-14 * (1.0 + fabs(expected)));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_piece_that_holds_is_the_last_that_has_begun),
         cmocka_unit_test(a_jet_is_the_polynomial_and_its_derivatives),
+        cmocka_unit_test(a_law_is_within_a_radius_until_it_reaches_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

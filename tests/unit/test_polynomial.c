@@ -166,6 +166,36 @@ static void a_root_near_zero_in_a_wide_interval_is_found(void **state)
     assert_true(found[0] >= 0.0 && found[0] <= 1e280);
 }
 
+static void the_first_root_is_found_at_any_distance_and_beside_any_other(void **state)
+{
+    (void)state;
+    for (int near = -200; near <= 200; near += 8)
+        for (int apart = 1; apart <= 300; apart += 13) {
+            const double roots[] = {0.75, 0.75 * ldexp(1.0, apart)};
+            polynomial p = of_roots(roots, 2);
+            for (int k = 0; k <= 2; ++k) p.c[k] = ldexp(p.c[k], -near * k);
+            assert_near(polynomial_first_root(&p), ldexp(0.75, near), ldexp(1e-15, near));
+        }
+    for (int power = -100; power <= 100; ++power) { /* where two intervals meet */
+        const double roots[] = {ldexp(1.0, power), ldexp(3.0, power)};
+        polynomial p = of_roots(roots, 2);
+        assert_exact(polynomial_first_root(&p), roots[0]);
+    }
+}
+
+static void a_first_root_counts_only_over_zero_and_where_the_sign_changes(void **state)
+{
+    (void)state;
+    const double roots[] = {-3.0, -1.0, 0.0, 0.5, 0.5, 2.0};
+    polynomial p = of_roots(roots, 6), none = of_roots(roots, 3), touch = of_roots(roots, 5), power = {5, {0.0, 0.0, 0.0, 0.0, 0.0, 2.0}}, zero = {3, {0.0}};
+    double first = polynomial_first_root(&p);
+    assert_true(fabs(first - 2.0) < 1e-14 || fabs(first - 0.5) < 1e-7);
+    assert_exact(polynomial_first_root(&none), INFINITY);
+    assert_true(isinf(polynomial_first_root(&touch)) || fabs(polynomial_first_root(&touch) - 0.5) < 1e-7);
+    assert_exact(polynomial_first_root(&power), INFINITY);
+    assert_exact(polynomial_first_root(&zero), INFINITY);
+}
+
 static void leading_zeros_do_not_matter(void **state)
 {
     (void)state;
@@ -232,6 +262,8 @@ int main(void)
         cmocka_unit_test(zeros_at_the_ends_are_no_changes),
         cmocka_unit_test(neither_scale_nor_unit_moves_a_root),
         cmocka_unit_test(a_root_near_zero_in_a_wide_interval_is_found),
+        cmocka_unit_test(the_first_root_is_found_at_any_distance_and_beside_any_other),
+        cmocka_unit_test(a_first_root_counts_only_over_zero_and_where_the_sign_changes),
         cmocka_unit_test(leading_zeros_do_not_matter),
         cmocka_unit_test(nothing_is_found_where_there_is_nothing),
         cmocka_unit_test(the_least_is_a_bound_and_a_tight_one_on_short_intervals),

@@ -47,12 +47,15 @@ typedef struct slow_law_disc {
 /* The same disc for the library and for this solver. A law by callback is differenced for its second derivative. `disc` is kept. */
 slow_law_disc slow_law_of(const tdsp_growing_disc *disc);
 
-/* What a path does, for the reader of a failure: a ride; the straight legs lie between them. */
-typedef struct slow_law_step {
-    size_t disc;
-    int side; /* +1 counter-clockwise */
-    double from, to;
-} slow_law_step;
+#define SLOW_LAW_LINE ((size_t)-1)
+
+/* A place on a path, and how the path goes on from there: riding on a disc, or straight. Rides have a place for every few degrees. */
+typedef struct slow_law_place {
+    tdsp_point at;
+    double time;
+    size_t disc; /* SLOW_LAW_LINE for a straight line */
+    int side;    /* of a ride: +1 counter-clockwise */
+} slow_law_place;
 
 /*
  * The earliest arrival of those up to the time `until` (finite; no radius shrinks before), infinite when there is none; NAN when the
@@ -60,8 +63,8 @@ typedef struct slow_law_step {
  */
 double slow_law_arrival(const tdsp_journey *journey, const slow_law_disc *discs, size_t count, double until, double departure);
 
-/* The same with its rides: up to `capacity`, their number in *step_count (0 without an arrival). */
+/* The same with its path from the source to the destination: up to `capacity` places, their number in *place_count (0 without an arrival). */
 double slow_law_path(const tdsp_journey *journey, const slow_law_disc *discs, size_t count, double until, double departure,
-                     slow_law_step *steps, size_t capacity, size_t *step_count);
+                     slow_law_place *places, size_t capacity, size_t *place_count);
 
 #endif

@@ -46,28 +46,38 @@ static int short_enough(const law_world *world, size_t disc, size_t piece, doubl
     return fmax(slow_a, slow_b) <= 1.2 * fmin(slow_a, slow_b);
 }
 
-static int add_panels(law_world *world, size_t disc, size_t piece, double from, double to, double *turned)
+static int add_panels(law_world *world, size_t disc, size_t piece, double from, double to)
 {
     law_disc *d = &world->discs[disc];
     const double middle = 0.5 * (from + to);
     if (!short_enough(world, disc, piece, from, to) && middle > from && middle < to)
-        return add_panels(world, disc, piece, from, middle, turned) && add_panels(world, disc, piece, middle, to, turned);
+        return add_panels(world, disc, piece, from, middle) && add_panels(world, disc, piece, middle, to);
     if (d->panel_count == LAW_PANELS) return 0;
-    d->panels[d->panel_count++] = (law_panel){from, to, piece, *turned};
-    if (to - from > SHORTEST * (1.0 + to)) *turned += turn_over(world, disc, piece, from, to);
+    d->panels[d->panel_count++] = (law_panel){from, to, piece, 0.0};
     return 1;
+}
+
+/* Counted back from the end: at the begin, where R may be 0, the turns are without bound, and would drown what comes later. */
+static void count_turns(law_world *world, size_t disc)
+{
+    double turned = 0.0;
+    for (size_t k = world->discs[disc].panel_count; k > 0; k--) {
+        law_panel *p = &world->discs[disc].panels[k - 1];
+        if (p->to - p->from > SHORTEST * (1.0 + p->to)) turned -= turn_over(world, disc, p->piece, p->from, p->to);
+        p->turned = turned;
+    }
 }
 
 int law_ride_prepare(law_world *world, size_t disc)
 {
     law_disc *d = &world->discs[disc];
-    double turned = 0.0;
     d->panels = malloc(LAW_PANELS * sizeof *d->panels);
     if (!d->panels) return 0;
     for (size_t i = 0; i < d->stretch_count; i++) {
         const law_stretch *s = &d->stretches[i];
-        if (s->ridable && !s->empty && !add_panels(world, disc, s->piece, s->from, s->to, &turned)) return 0;
+        if (s->ridable && !s->empty && !add_panels(world, disc, s->piece, s->from, s->to)) return 0;
     }
+    count_turns(world, disc);
     return 1;
 }
 

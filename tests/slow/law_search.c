@@ -182,30 +182,63 @@ static void search_run(search *s)
     }
 }
 
-/* The rides from the destination back to the source, then turned round. */
-static size_t trace(const search *s, slow_law_step *steps, size_t capacity)
+typedef struct tracing {
+    const search *s;
+    const tdsp_journey *journey;
+    slow_law_place *places;
+    size_t capacity, count;
+} tracing;
+
+/* Places are told from the destination back. */
+static void trace_place(tracing *t, law_moment at, size_t disc, int side)
 {
-    size_t count = 0;
+    const law_world *w = &t->s->world;
+    const tdsp_point from = t->journey->source;
+    if (t->count == t->capacity) return;
+    t->places[t->count++] =
+        (slow_law_place){{from.x + w->length * at.x, from.y + w->length * at.y}, at.time * w->time, disc, side};
+}
+
+static void trace_ride(tracing *t, const law_ride *ride, double end)
+{
+    const law_world *w = &t->s->world;
+    const law_disc *d = &w->discs[ride->disc];
+    for (size_t k = d->panel_count; k > 0; k--) {
+        const law_panel *p = &d->panels[k - 1];
+        const double from = fmax(p->from, ride->time), to = fmin(p->to, end);
+        if (from >= to) continue;
+        const size_t steps = law_ride_steps(w, ride, from, to);
+        for (size_t i = steps; i > 0; i--)
+            trace_place(t, law_ride_at(w, ride, p->piece, law_ride_step(from, to, i - 1, steps)), ride->disc, ride->side);
+    }
+}
+
+static size_t trace(tracing *t)
+{
+    const search *s = t->s;
     double left = s->best_left;
-    for (size_t i = s->best_from; i != NOWHERE && count < capacity; i = s->nodes[i].from) {
-        const law_ride *ride = &s->nodes[i].ride;
-        steps[count++] = (slow_law_step){ride->disc, ride->side, ride->time * s->world.time, left * s->world.time};
+    trace_place(t, (law_moment){s->world.to_x, s->world.to_y, s->best, 0.0}, SLOW_LAW_LINE, 0);
+    for (size_t i = s->best_from; i != NOWHERE; i = s->nodes[i].from) {
+        const law_panel *p = law_ride_panel(&s->world, s->nodes[i].ride.disc, left);
+        trace_place(t, law_ride_at(&s->world, &s->nodes[i].ride, p->piece, left), SLOW_LAW_LINE, 0);
+        if (left > s->nodes[i].ride.time) trace_ride(t, &s->nodes[i].ride, left);
         left = s->nodes[i].left;
     }
-    for (size_t i = 0; i < count / 2; i++) {
-        const slow_law_step kept = steps[i];
-        steps[i] = steps[count - 1 - i];
-        steps[count - 1 - i] = kept;
+    trace_place(t, (law_moment){0.0, 0.0, s->departure, 0.0}, SLOW_LAW_LINE, 0);
+    for (size_t i = 0; i < t->count / 2; i++) {
+        const slow_law_place kept = t->places[i];
+        t->places[i] = t->places[t->count - 1 - i];
+        t->places[t->count - 1 - i] = kept;
     }
-    return count;
+    return t->count;
 }
 
 double slow_law_path(const tdsp_journey *journey, const slow_law_disc *discs, size_t count, double until, double departure,
-                     slow_law_step *steps, size_t capacity, size_t *step_count)
+                     slow_law_place *places, size_t capacity, size_t *place_count)
 {
     search *s = calloc(1, sizeof *s);
     double arrival = NAN;
-    *step_count = 0;
+    *place_count = 0;
     if (!s) return NAN;
     s->nodes = malloc(MOST_RIDES * sizeof *s->nodes);
     s->best = INFINITY;
@@ -216,7 +249,8 @@ double slow_law_path(const tdsp_journey *journey, const slow_law_disc *discs, si
         /* A destination at the source is reached when leaving. */
         const double found = s->best == s->departure ? departure : s->best * s->world.time;
         arrival = s->overflow ? NAN : found;
-        if (arrival < INFINITY && arrival > departure) *step_count = trace(s, steps, capacity);
+        tracing t = {s, journey, places, capacity, 0};
+        if (arrival < INFINITY && arrival > departure) *place_count = trace(&t);
     }
     law_world_drop(&s->world);
     free(s->nodes);
@@ -226,6 +260,6 @@ double slow_law_path(const tdsp_journey *journey, const slow_law_disc *discs, si
 
 double slow_law_arrival(const tdsp_journey *journey, const slow_law_disc *discs, size_t count, double until, double departure)
 {
-    size_t steps;
-    return slow_law_path(journey, discs, count, until, departure, NULL, 0, &steps);
+    size_t places;
+    return slow_law_path(journey, discs, count, until, departure, NULL, 0, &places);
 }

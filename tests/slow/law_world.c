@@ -279,6 +279,10 @@ int law_world_land(const law_world *world, size_t disc, const law_spot *spot, do
     const double length = out->time - time;
     const slow_jet j = law_world_jet(world, disc, spot->piece, out->time);
     out->aside = angle_aside(distance, length, j.radius);
+    if (length <= 0.0 && distance - j.radius > TOUCH) {
+        out->excess = INFINITY;
+        return 1;
+    }
     if (length <= 0.0) {
         out->excess = 0.0;
         out->aside = atan2(sqrt(fmax(0.0, (1.0 - j.rate) * (1.0 + j.rate))), -j.rate);

@@ -29,7 +29,7 @@ typedef struct law_spot {
     double slow, fast;
 } law_spot;
 
-/* A part of a ridable stretch over which little changes, and the angle that a rider turns from the first of all panels to its begin. */
+/* A part of a ridable stretch over which little changes, and less the angle that a rider turns from its begin to the end of all. */
 typedef struct law_panel {
     double from, to;
     size_t piece;

@@ -9,16 +9,17 @@ import pathlib
 import re
 import sys
 
-LAYERS = {"base": 0, "geom": 1, "table": 1, "query": 2, "scene": 3, "growth": 4, "search": 5, "build": 6, "verify": 6, "margin": 6}
+LAYERS = {"base": 0, "geom": 1, "table": 1, "query": 2, "scene": 3, "growth": 4, "search": 5, "build": 6, "oracle": 6, "verify": 6, "margin": 6}
 LINE = 2
 FREESTANDING = {"float.h", "limits.h", "math.h", "stddef.h", "stdint.h", "string.h"}
 HOSTED = FREESTANDING | {"assert.h", "stdlib.h"}
 # What code below the line may know of the public interface.
 PUBLIC_BELOW = {"export.h", "path.h", "status.h", "table.h", "types.h"}
 # The verifier is the second opinion on the engine: it shares none of its geometry, though the layers would allow it. The sampler
-# knows an oracle and nothing of discs (docs/decisions/0001). Margins ask the public solver, so that they hold for whatever engine it has.
+# and the conformance kit know an oracle and nothing of discs (docs/decisions/0001). Margins ask the public solver, so that they hold for whatever engine it has.
 FORBIDDEN = {("verify", "geom"), ("verify", "growth"), ("verify", "search"), ("build", "geom"), ("build", "growth"), ("build", "search"),
-             ("margin", "geom"), ("margin", "growth"), ("margin", "search")}
+             ("margin", "geom"), ("margin", "growth"), ("margin", "search"),
+             ("oracle", "geom"), ("oracle", "growth"), ("oracle", "search")}
 
 INCLUDE = re.compile(r'^\s*#\s*include\b\s*(.*?)\s*$', re.M)
 

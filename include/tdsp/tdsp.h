@@ -6,6 +6,7 @@
 #include "tdsp/growth.h"
 #include "tdsp/margin.h"
 #include "tdsp/oracle.h"
+#include "tdsp/oracle_check.h"
 #include "tdsp/path.h"
 #include "tdsp/scene.h"
 #include "tdsp/search.h"

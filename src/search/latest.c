@@ -28,6 +28,9 @@
 /* The proof looks this share of the times at hand past the answer. */
 #define PROOF_STEP 2e-9
 
+/* ... or this one, past an answer that the asker named himself and no search came upon: it may lie anywhere before a jump. */
+#define CLOSE_STEP 1e-10
+
 /* Halving leaves nothing of any interval of doubles after this. */
 #define MOST_HALVINGS 1100
 
@@ -197,7 +200,7 @@ static tdsp_status latest_bisect(latest_state *state)
 /* Is nothing later good enough? The path of the best answer is kept. */
 static tdsp_status latest_prove(latest_state *state)
 {
-    double step = state->best + latest_slack(state, PROOF_STEP);
+    double step = state->best + latest_slack(state, state->best > state->known_good ? PROOF_STEP : CLOSE_STEP);
     latest_state after = *state;
     tdsp_status status;
     if (step >= state->too_late) return TDSP_OK;

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tdsp/growth.h"
 #include "tdsp/scene_file.h"
 #include "tdsp/solver.h"
 
@@ -23,10 +24,28 @@ static void fuzz_require(int holds)
     if (!holds) abort();
 }
 
-/* Times too many journeys away are refused: the solver's header says so. */
+/* Times too many journeys away are refused: the solver's header says so. So are those at which a radius would shrink. */
 static void fuzz_answered(tdsp_status status)
 {
-    fuzz_require(tdsp_status_is_answer(status) || status == TDSP_NOT_SUPPORTED || status == TDSP_NO_MEMORY);
+    fuzz_require(tdsp_status_is_answer(status) || status == TDSP_NOT_SUPPORTED || status == TDSP_SHRINKS || status == TDSP_NO_MEMORY);
+}
+
+/* No radius falls, as far as its round-off shows, and what stands after it would is a radius that stays. */
+static void fuzz_radii(const tdsp_scene *scene, size_t count)
+{
+    static const double times[] = {0.0, 1e-9, 1e-3, 0.5, 1.0, 2.0, 7.0, 1e2, 1e4, 1e7, 1e12, 1e30};
+    uint32_t shrinks;
+    fuzz_require((tdsp_scene_valid_until(scene, &shrinks) < INFINITY) == (shrinks != TDSP_NO_DISC));
+    fuzz_require(tdsp_scene_valid_until(scene, NULL) > 0.0);
+    for (uint32_t i = 0; i < count; ++i) {
+        double before = 0.0;
+        for (size_t k = 0; k < sizeof times / sizeof *times; ++k) {
+            double radius, rate;
+            fuzz_require(tdsp_scene_disc_at(scene, i, times[k], &radius, &rate) == TDSP_OK);
+            fuzz_require(!(radius < before * (1.0 - 1e-6)));
+            before = radius;
+        }
+    }
 }
 
 /* The straight line's time, a little less for rounding. */
@@ -67,6 +86,7 @@ int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size)
     if (!read) return 0;
     (void)tdsp_scene_discs(scene.scene, &count);
     if (count > FEW) return 0;
+    fuzz_radii(scene.scene, count);
     fuzz_solve(scene.scene, 0.0);
     fuzz_solve(scene.scene, 1.0);
     return 0;

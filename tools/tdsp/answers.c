@@ -8,7 +8,7 @@
 #include "text_table.h"
 #include "times.h"
 
-static gboolean solve(const AnswerKind *kind, tdsp_solver *solver, const GArray *times, GArray *answers, GError **error)
+static gboolean solve(const AnswerKind *kind, const SceneSolver *solver, const GArray *times, GArray *answers, GError **error)
 {
     Progress progress = progress_begin(kind->command);
     gboolean solved = TRUE;
@@ -78,7 +78,7 @@ int answers_run(const AnswerKind *kind, int argc, char **argv, gboolean json, GE
     g_autoptr(GArray) answers = g_array_new(FALSE, FALSE, sizeof(Answer));
     g_auto(SceneSolver) solver = {0};
     if (!times_add_all(times, argc, argv, 2, kind->what, error) || !scene_solver_load(argv[1], &solver, error) ||
-        !solve(kind, solver.solver, times, answers, error) ||
+        !solve(kind, &solver, times, answers, error) ||
         !(json ? print_json(kind, answers, solver.prepare_seconds, error) : print_text(kind, answers, error)))
         return CLI_FAILED;
     return cli_answer(any_ok(answers));

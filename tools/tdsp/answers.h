@@ -4,7 +4,7 @@
 
 #include <glib.h>
 
-#include "tdsp/solver.h"
+#include "scene_solver.h"
 
 #define ANSWER_NUMBERS 3 /* the time asked about first */
 
@@ -21,7 +21,7 @@ typedef struct AnswerKind {
     const char *names[ANSWER_NUMBERS]; /* of the numbers, as columns and as keys */
     double within;                     /* the share; 0: exact, without a lower bound */
     /* Fill in an answer whose first number is the time asked about. */
-    gboolean (*ask)(tdsp_solver *solver, double within, Answer *answer, GError **error);
+    gboolean (*ask)(const SceneSolver *solver, double within, Answer *answer, GError **error);
 } AnswerKind;
 
 /* Solve argv[1], a scene, for the times in argv[2] on, and print the answers. Returns an exit status. */

@@ -25,7 +25,7 @@ gboolean cli_fail(GError **error, int status, const char *format, ...)
 static int exit_status_of(tdsp_status status)
 {
     if (status == TDSP_NEEDS_HORIZON || status == TDSP_TOO_MANY_ROWS || status == TDSP_NOT_SUPPORTED) return CLI_USAGE;
-    if (status >= TDSP_BAD_SCENE && status < TDSP_BAD_ORACLE) return CLI_INPUT;
+    if ((status >= TDSP_BAD_SCENE && status < TDSP_BAD_ORACLE) || status == TDSP_SHRINKS) return CLI_INPUT;
     return CLI_SYSTEM;
 }
 

@@ -3,7 +3,7 @@
 #include "commands.h"
 #include "scene_solver.h"
 
-static gboolean ask(tdsp_solver *solver, double within, Answer *answer, GError **error)
+static gboolean ask(const SceneSolver *solver, double within, Answer *answer, GError **error)
 {
     double departure = answer->numbers[0], *arrival = &answer->numbers[1];
     if (!(within > 0 ? scene_solver_arrival_within(solver, departure, within, arrival, &answer->lower, &answer->status, error)

@@ -115,7 +115,7 @@ static int show_progress(void *progress, double settled, double all)
     return 0;
 }
 
-static gboolean fail_build(const Wanted *wanted, tdsp_status status, GError **error)
+static gboolean fail_build(const Wanted *wanted, const SceneFile *scene, tdsp_status status, GError **error)
 {
     switch ((int)status) {
     case TDSP_NEEDS_HORIZON:
@@ -125,7 +125,7 @@ static gboolean fail_build(const Wanted *wanted, tdsp_status status, GError **er
                         isinf(wanted->options.horizon) ? "" : ", or a nearer --horizon");
     case TDSP_NOT_SUPPORTED:
         return cli_fail(error, CLI_USAGE, "--sampling geometric needs a journey that takes time: source and destination are one");
-    default: return cli_fail_status(error, "build", status);
+    default: return scene_file_fail(scene, "build", status, error);
     }
 }
 
@@ -145,7 +145,7 @@ static gboolean build(Wanted *wanted, const SceneFile *scene, Built *built, GErr
     built->status = tdsp_build(workers_oracles(workers), options, NULL, &built->bytes, &built->length, &built->report);
     built->seconds = stopwatch_seconds(watch);
     progress_end(&progress);
-    return tdsp_status_is_answer(built->status) ? TRUE : fail_build(wanted, built->status, error);
+    return tdsp_status_is_answer(built->status) ? TRUE : fail_build(wanted, scene, built->status, error);
 }
 
 static gboolean print_json(const Wanted *wanted, const Built *built, GError **error)

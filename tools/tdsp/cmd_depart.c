@@ -4,12 +4,12 @@
 #include "answers.h"
 #include "commands.h"
 
-static gboolean ask(tdsp_solver *solver, double within, Answer *answer, GError **error)
+static gboolean ask(const SceneSolver *solver, double within, Answer *answer, GError **error)
 {
     (void)within; /* always exact */
     double *departure = &answer->numbers[1], *arrives = &answer->numbers[2];
-    answer->status = tdsp_latest_departure(solver, answer->numbers[0], departure, arrives);
-    if (!tdsp_status_is_answer(answer->status)) return cli_fail_status(error, "solver", answer->status);
+    answer->status = tdsp_latest_departure(solver->solver, answer->numbers[0], departure, arrives);
+    if (!tdsp_status_is_answer(answer->status)) return scene_solver_fail(solver, answer->status, error);
     if (answer->status != TDSP_OK) *departure = *arrives = INFINITY;
     return TRUE;
 }

@@ -26,7 +26,7 @@ static void path_clear(Path *path)
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Path, path_clear)
 
-static gboolean solve(tdsp_solver *solver, Path *path, GError **error)
+static gboolean solve(const SceneSolver *solver, Path *path, GError **error)
 {
     if (path->within > 0)
         return scene_solver_arrival_within(solver, path->departure, path->within, &path->arrival, &path->lower, &path->status,
@@ -39,7 +39,7 @@ static gboolean from_scene(const FileIn *file, Path *path, GError **error)
     SceneFile scene;
     g_auto(SceneSolver) solver = {0};
     if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
-        !scene_solver_take(&scene, &solver, error) || !solve(solver.solver, path, error))
+        !scene_solver_take(&scene, &solver, error) || !solve(&solver, path, error))
         return FALSE;
     path->legs = path->status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
     return path->legs != NULL;

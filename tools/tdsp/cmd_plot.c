@@ -37,7 +37,7 @@ static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *draw
     ScenePicture picture = {.scene = &solver.file, .departure = wanted->departure};
     if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
         !scene_solver_take(&scene, &solver, error) ||
-        !scene_solver_arrival(solver.solver, wanted->departure, &picture.arrival, &picture.status, error))
+        !scene_solver_arrival(&solver, wanted->departure, &picture.arrival, &picture.status, error))
         return FALSE;
     g_autoptr(GArray) legs = NULL;
     legs = picture.status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));

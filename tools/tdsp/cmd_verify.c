@@ -51,13 +51,13 @@ static gboolean check_path(const FileIn *file, const SceneSolver *solver, guint 
     double speed = tdsp_scene_journey(solver->file.scene)->speed;
     if (!path_json_parse(cli_file_name(file->path), file->text, file->length, speed, &path, error)) return FALSE;
     if (!verify_report_path(report, solver->file.scene, &path, error)) return FALSE;
-    return deep == 0 || verify_deep_path(report, solver->solver, &path, error);
+    return deep == 0 || verify_deep_path(report, solver, &path, error);
 }
 
 static gboolean check_table(const FileIn *file, const SceneSolver *solver, guint deep, VerifyReport *report, GError **error)
 {
     if (!verify_report_table(report, solver->file.scene, &file->table, error)) return FALSE;
-    return deep == 0 || verify_deep_table(report, solver->solver, &file->table, deep, error);
+    return deep == 0 || verify_deep_table(report, solver, &file->table, deep, error);
 }
 
 static gboolean parse_deep(const char *text, guint *deep, GError **error)

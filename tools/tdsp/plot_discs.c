@@ -7,6 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "tdsp/growth.h"
+
 typedef struct Dot {
     double radius, x, y; /* on the canvas, rounded to hundredths */
 } Dot;
@@ -38,8 +40,9 @@ static GArray *dots_of(const Frame *frame, const tdsp_scene *scene, double time,
     double inflated = tdsp_scene_journey(scene)->radius, scale = frame->width / (frame->x_high - frame->x_low);
     GArray *dots = g_array_new(FALSE, FALSE, sizeof(Dot));
     for (size_t i = 0; i < count; i++) {
-        double radius = (discs[i].radius + inflated + discs[i].growth * time) * scale;
-        Dot dot = {hundredth(fmax(radius, style->least) + style->wider), hundredth(frame_x(frame, discs[i].center.x)),
+        double radius = discs[i].radius;
+        (void)tdsp_scene_disc_at(scene, (uint32_t)i, time, &radius, NULL);
+        Dot dot = {hundredth(fmax((radius + inflated) * scale, style->least) + style->wider), hundredth(frame_x(frame, discs[i].center.x)),
                    hundredth(frame_y(frame, discs[i].center.y))};
         if (in_view(frame, &dot)) g_array_append_val(dots, dot);
     }

@@ -9,6 +9,7 @@
 #include "plot_frame.h"
 #include "plot_labels.h"
 #include "plot_route.h"
+#include "tdsp/growth.h"
 
 #define LONG_SIDE 860.0 /* of the frame */
 #define MARGIN_LEFT 92.0
@@ -51,7 +52,8 @@ static void extent_add_discs(Extent *extent, const ScenePicture *picture, const 
     size_t count;
     const tdsp_disc *discs = tdsp_scene_discs(picture->scene->scene, &count);
     for (size_t i = 0; i < count; i++) {
-        double radius = discs[i].radius + discs[i].growth * picture->departure;
+        double radius = discs[i].radius;
+        (void)tdsp_scene_disc_at(picture->scene->scene, (uint32_t)i, picture->departure, &radius, NULL);
         tdsp_point low = {fmax(discs[i].center.x - radius, near->x_low), fmax(discs[i].center.y - radius, near->y_low)};
         tdsp_point high = {fmin(discs[i].center.x + radius, near->x_high), fmin(discs[i].center.y + radius, near->y_high)};
         if (low.x > high.x || low.y > high.y) continue;

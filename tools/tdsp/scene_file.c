@@ -8,14 +8,17 @@
 
 #include "cli.h"
 #include "file_in.h"
+#include "growth_json.h"
 #include "json_read.h"
+#include "numbers.h"
 #include "stopwatch.h"
 
 typedef struct Reading {
     GHashTable *warned; /* kinds of unknown keys that were warned of */
     SceneFile out;
     tdsp_journey journey;
-    GArray *discs; /* of tdsp_disc */
+    GArray *discs;   /* of tdsp_growing_disc */
+    GPtrArray *kept; /* arrays of numbers that the discs point to */
 } Reading;
 
 static gboolean read_not_negative(const JsonValue *object, const char *name, double *number, GError **error)
@@ -39,91 +42,19 @@ static gboolean read_robot(const JsonValue *root, Reading *reading, GError **err
     return TRUE;
 }
 
-static gboolean fail_growth(const JsonPlace *place, GError **error)
-{
-    return json_read_fail(place, error,
-                          "growth that changes with time is not supported yet; supported are a rate r, [r], and "
-                          "{\"times\": [0], \"rates\": [r]}");
-}
-
-/* [c1, c2, ...]: R(t) = radius + c1 t + c2 t^2 + ... */
-static gboolean read_polynomial(const JsonValue *growth, double *rate, GError **error)
-{
-    guint length;
-    if (!json_read_array(growth, &length, error)) return FALSE;
-    if (length == 0) return json_read_fail(&growth->place, error, "has no coefficient");
-    for (guint i = 0; i < length; i++) {
-        double number;
-        JsonValue item = json_read_item(growth, i);
-        if (!json_read_number(&item, &number, error)) return FALSE;
-        if (i == 0) *rate = number;
-        if (i > 0 && number != 0) return fail_growth(&item.place, error);
-    }
-    return TRUE;
-}
-
-static gboolean read_times(const JsonValue *growth, guint *length, GError **error)
-{
-    JsonValue times;
-    double last = 0;
-    if (!json_read_member(growth, "times", &times, error) || !json_read_array(&times, length, error)) return FALSE;
-    if (*length == 0) return json_read_fail(&times.place, error, "is empty");
-    for (guint i = 0; i < *length; i++) {
-        double time;
-        JsonValue item = json_read_item(&times, i);
-        if (!json_read_number(&item, &time, error)) return FALSE;
-        if (i == 0 && time != 0) return json_read_fail(&item.place, error, "the first time must be 0");
-        if (i > 0 && !(time > last)) return json_read_fail(&item.place, error, "times must increase");
-        last = time;
-    }
-    return TRUE;
-}
-
-/* {"times": [0, t1, ...], "rates": [r0, r1, ...]} */
-static gboolean read_piecewise(const JsonValue *growth, Reading *reading, double *rate, GError **error)
-{
-    static const char *const known[] = {"times", "rates", NULL};
-    JsonValue rates;
-    guint times, length;
-    if (!read_times(growth, &times, error)) return FALSE;
-    if (!json_read_member(growth, "rates", &rates, error) || !json_read_array(&rates, &length, error)) return FALSE;
-    if (length != times) return json_read_fail(&rates.place, error, "%u rates for %u times", length, times);
-    for (guint i = 0; i < length; i++) {
-        double number;
-        JsonValue item = json_read_item(&rates, i);
-        if (!json_read_number(&item, &number, error)) return FALSE;
-        if (i == 0) *rate = number;
-        if (number != *rate) return fail_growth(&item.place, error);
-    }
-    json_read_warn_unknown(growth, known, reading->warned);
-    return TRUE;
-}
-
-static gboolean read_growth(const JsonValue *disc, Reading *reading, double *rate, GError **error)
-{
-    JsonValue growth;
-    gboolean read;
-    if (!json_read_member(disc, "growth", &growth, error)) return FALSE;
-    if (JSON_NODE_HOLDS_ARRAY(growth.node))
-        read = read_polynomial(&growth, rate, error);
-    else if (JSON_NODE_HOLDS_OBJECT(growth.node))
-        read = read_piecewise(&growth, reading, rate, error);
-    else
-        read = json_read_number(&growth, rate, error);
-    if (!read) return FALSE;
-    return *rate >= 0 ? TRUE : json_read_fail(&growth.place, error, "must not be negative: discs never shrink");
-}
-
 static gboolean read_disc(const JsonValue *value, Reading *reading, GError **error)
 {
     static const char *const known[] = {"center", "radius", "growth", NULL};
-    tdsp_disc disc;
-    if (!json_read_object(value, error) || !json_read_member_point(value, "center", &disc.center, error) ||
-        !read_not_negative(value, "radius", &disc.radius, error) || !read_growth(value, reading, &disc.growth, error))
+    tdsp_disc place = {{0, 0}, 0, 0};
+    JsonValue growth;
+    if (!json_read_object(value, error) || !json_read_member_point(value, "center", &place.center, error) ||
+        !read_not_negative(value, "radius", &place.radius, error) || !json_read_member(value, "growth", &growth, error))
         return FALSE;
-    json_read_warn_unknown(value, known, reading->warned);
-    const char *wrong = tdsp_disc_check(&disc);
+    const char *wrong = tdsp_disc_check(&place);
     if (wrong) return json_read_fail(&value->place, error, "%s", wrong);
+    tdsp_growing_disc disc = {.center = place.center, .radius = place.radius};
+    if (!growth_json_read(&growth, &disc, reading->kept, reading->warned, error)) return FALSE;
+    json_read_warn_unknown(value, known, reading->warned);
     g_array_append_val(reading->discs, disc);
     return TRUE;
 }
@@ -182,8 +113,8 @@ static gboolean read_root(const JsonValue *root, Reading *reading, GError **erro
 static gboolean prepare(const char *file, Reading *reading, GError **error)
 {
     Stopwatch watch = stopwatch_start();
-    tdsp_status status = tdsp_scene_create(&reading->journey, (const tdsp_disc *)(void *)reading->discs->data,
-                                           reading->discs->len, NULL, &reading->out.scene);
+    tdsp_status status = tdsp_scene_create_growing(&reading->journey, (const tdsp_growing_disc *)(void *)reading->discs->data,
+                                                   reading->discs->len, NULL, &reading->out.scene);
     reading->out.prepare_seconds = stopwatch_seconds(watch);
     return status == TDSP_OK ? TRUE : cli_fail_status(error, file, status);
 }
@@ -194,10 +125,13 @@ gboolean scene_file_parse(const char *file, const char *text, gsize length, Scen
     JsonValue root;
     if (!json_read_document(file, text, length, &parser, &root, error)) return FALSE;
     Reading reading = {.warned = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL),
-                       .discs = g_array_new(FALSE, FALSE, sizeof(tdsp_disc))};
+                       .discs = g_array_new(FALSE, FALSE, sizeof(tdsp_growing_disc)),
+                       .kept = g_ptr_array_new_with_free_func(g_free)};
+    reading.out.file = g_strdup(file);
     gboolean read = read_root(&root, &reading, error) && prepare(file, &reading, error);
     g_hash_table_unref(reading.warned);
     g_array_unref(reading.discs);
+    g_ptr_array_unref(reading.kept);
     if (read)
         *scene = reading.out;
     else
@@ -213,8 +147,19 @@ gboolean scene_file_load(const char *path, SceneFile *scene, GError **error)
     return scene_file_parse(cli_file_name(path), file.text, file.length, scene, error);
 }
 
+gboolean scene_file_fail(const SceneFile *scene, const char *what, tdsp_status status, GError **error)
+{
+    uint32_t disc;
+    double until = tdsp_scene_valid_until(scene->scene, &disc);
+    char number[NUMBER_ROOM];
+    if (status != TDSP_SHRINKS || disc == TDSP_NO_DISC) return cli_fail_status(error, what, status);
+    return cli_fail(error, CLI_INPUT, "%s: discs[%u].growth: the radius shrinks after t = %s, and this question reaches beyond",
+                    scene->file, disc, number_format(number, until));
+}
+
 void scene_file_clear(SceneFile *scene)
 {
+    g_clear_pointer(&scene->file, g_free);
     g_clear_pointer(&scene->name, g_free);
     g_clear_pointer(&scene->length_unit, g_free);
     g_clear_pointer(&scene->time_unit, g_free);

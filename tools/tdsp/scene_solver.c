@@ -51,19 +51,24 @@ GArray *scene_solver_path(const tdsp_solver *solver, GError **error)
     return NULL;
 }
 
-gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arrival, tdsp_status *status, GError **error)
+gboolean scene_solver_fail(const SceneSolver *solver, tdsp_status status, GError **error)
 {
-    *status = tdsp_earliest_arrival(solver, departure, arrival);
-    if (!tdsp_status_is_answer(*status)) return cli_fail_status(error, "solver", *status);
+    return scene_file_fail(&solver->file, "solver", status, error);
+}
+
+gboolean scene_solver_arrival(const SceneSolver *solver, double departure, double *arrival, tdsp_status *status, GError **error)
+{
+    *status = tdsp_earliest_arrival(solver->solver, departure, arrival);
+    if (!tdsp_status_is_answer(*status)) return scene_solver_fail(solver, *status, error);
     if (*status != TDSP_OK) *arrival = INFINITY;
     return TRUE;
 }
 
-gboolean scene_solver_arrival_within(tdsp_solver *solver, double departure, double within, double *arrival, double *lower,
+gboolean scene_solver_arrival_within(const SceneSolver *solver, double departure, double within, double *arrival, double *lower,
                                      tdsp_status *status, GError **error)
 {
-    *status = tdsp_earliest_arrival_within(solver, departure, within, arrival, lower);
-    if (!tdsp_status_is_answer(*status)) return cli_fail_status(error, "solver", *status);
+    *status = tdsp_earliest_arrival_within(solver->solver, departure, within, arrival, lower);
+    if (!tdsp_status_is_answer(*status)) return scene_solver_fail(solver, *status, error);
     if (*status != TDSP_OK) *arrival = *lower = INFINITY;
     return TRUE;
 }

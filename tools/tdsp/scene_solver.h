@@ -20,11 +20,14 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(SceneSolver, scene_solver_clear)
 /* The legs of the solver's last answer (of tdsp_leg). NULL on failure. */
 GArray *scene_solver_path(const tdsp_solver *solver, GError **error);
 
+/* Turn the solver's status that is no answer into an error. Returns FALSE. */
+gboolean scene_solver_fail(const SceneSolver *solver, tdsp_status status, GError **error);
+
 /* A(departure), infinite when there is no way, and the answer. FALSE for an error. */
-gboolean scene_solver_arrival(tdsp_solver *solver, double departure, double *arrival, tdsp_status *status, GError **error);
+gboolean scene_solver_arrival(const SceneSolver *solver, double departure, double *arrival, tdsp_status *status, GError **error);
 
 /* The same within a share of the best: nothing arrives before *lower, which is infinite too when there is no way. */
-gboolean scene_solver_arrival_within(tdsp_solver *solver, double departure, double within, double *arrival, double *lower,
+gboolean scene_solver_arrival_within(const SceneSolver *solver, double departure, double within, double *arrival, double *lower,
                                      tdsp_status *status, GError **error);
 
 /* The option for it; `text` receives what was given, which scene_solver_parse_within() turns into a share (NULL: 0, exact). */

@@ -21,11 +21,11 @@ static double slack(double departure, double arrival)
 }
 
 /* Is `arrival`, the forward answer for `departure`, what the search backwards finds? */
-static gboolean check_backwards(VerifyReport *report, tdsp_solver *solver, double departure, double arrival, GError **error)
+static gboolean check_backwards(VerifyReport *report, const SceneSolver *solver, double departure, double arrival, GError **error)
 {
     double latest, margin = slack(departure, arrival);
-    tdsp_status status = tdsp_latest_departure(solver, arrival, &latest, NULL);
-    if (!tdsp_status_is_answer(status)) return cli_fail_status(error, "solver", status);
+    tdsp_status status = tdsp_latest_departure(solver->solver, arrival, &latest, NULL);
+    if (!tdsp_status_is_answer(status)) return scene_solver_fail(solver, status, error);
     if (status == TDSP_ARRIVAL_TOO_EARLY && departure <= margin) return TRUE;
     if (status != TDSP_OK)
         verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards: %s", departure, arrival,
@@ -34,14 +34,14 @@ static gboolean check_backwards(VerifyReport *report, tdsp_solver *solver, doubl
         verify_report_problem(report, "departure %.17g: arrives at %.17g forwards, but backwards departs at %.17g", departure,
                               arrival, latest);
     if (arrival - 2 * margin <= departure) return TRUE;
-    status = tdsp_latest_departure(solver, arrival - 2 * margin, &latest, NULL);
-    if (!tdsp_status_is_answer(status)) return cli_fail_status(error, "solver", status);
+    status = tdsp_latest_departure(solver->solver, arrival - 2 * margin, &latest, NULL);
+    if (!tdsp_status_is_answer(status)) return scene_solver_fail(solver, status, error);
     if (status == TDSP_OK && latest > departure)
         verify_report_problem(report, "departure %.17g: backwards finds an arrival before %.17g", departure, arrival);
     return TRUE;
 }
 
-gboolean verify_deep_path(VerifyReport *report, tdsp_solver *solver, const PathFile *path, GError **error)
+gboolean verify_deep_path(VerifyReport *report, const SceneSolver *solver, const PathFile *path, GError **error)
 {
     double arrival;
     tdsp_status status;
@@ -60,7 +60,7 @@ gboolean verify_deep_path(VerifyReport *report, tdsp_solver *solver, const PathF
     return TRUE;
 }
 
-static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const tdsp_table *table, double departure,
+static gboolean check_departure(VerifyReport *report, const SceneSolver *solver, const tdsp_table *table, double departure,
                                 GError **error)
 {
     double arrival, lower, upper;
@@ -80,7 +80,7 @@ static gboolean check_departure(VerifyReport *report, tdsp_solver *solver, const
     return check_backwards(report, solver, departure, arrival, error);
 }
 
-gboolean verify_deep_table(VerifyReport *report, tdsp_solver *solver, const tdsp_table *table, guint departures, GError **error)
+gboolean verify_deep_table(VerifyReport *report, const SceneSolver *solver, const tdsp_table *table, guint departures, GError **error)
 {
     tdsp_table_info info;
     tdsp_status status = tdsp_table_get_info(table, &info);

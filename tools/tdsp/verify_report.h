@@ -7,7 +7,7 @@
 #include "json_out.h"
 #include "path_json.h"
 #include "tdsp/scene.h"
-#include "tdsp/solver.h"
+#include "scene_solver.h"
 #include "tdsp/table.h"
 
 typedef struct VerifyReport {
@@ -30,8 +30,8 @@ gboolean verify_report_path(VerifyReport *report, const tdsp_scene *scene, const
 gboolean verify_report_table(VerifyReport *report, const tdsp_scene *scene, const tdsp_table *table, GError **error);
 
 /* By solving again, forwards in time and backwards. */
-gboolean verify_deep_path(VerifyReport *report, tdsp_solver *solver, const PathFile *path, GError **error);
-gboolean verify_deep_table(VerifyReport *report, tdsp_solver *solver, const tdsp_table *table, guint departures, GError **error);
+gboolean verify_deep_path(VerifyReport *report, const SceneSolver *solver, const PathFile *path, GError **error);
+gboolean verify_deep_table(VerifyReport *report, const SceneSolver *solver, const tdsp_table *table, guint departures, GError **error);
 
 /* Add a sentence. */
 void verify_report_problem(VerifyReport *report, const char *format, ...) G_GNUC_PRINTF(2, 3);

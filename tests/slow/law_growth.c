@@ -33,7 +33,7 @@ static slow_jet rates_jet(const void *ctx, size_t piece, double time)
     return (slow_jet){radius + g->values[piece] * (time - g->times[piece]), g->values[piece], 0.0};
 }
 
-/* A kink's own rate is the one that holds from then on; just before it is the other. */
+/* A kink's own rate is the one that holds from then on; just before it is the other. After the end the rate stays. */
 static slow_jet law_jet(const void *ctx, size_t piece, double time)
 {
     const tdsp_growing_disc *disc = ctx;
@@ -41,9 +41,9 @@ static slow_jet law_jet(const void *ctx, size_t piece, double time)
     const double end = piece < g->count ? g->times[piece] : g->until, begin = piece > 0 ? g->times[piece - 1] : 0.0;
     const double step = 1e-6 * (end - begin);
     double radius, rate, earlier, later, ignored;
-    if (piece > g->count) {
-        g->law(g->ctx, g->until, &radius, &rate);
-        return (slow_jet){radius + rate * (time - g->until), rate, 0.0};
+    if (piece == g->count && time >= end) {
+        g->law(g->ctx, end, &radius, &rate);
+        return (slow_jet){radius + rate * (time - end), rate, 0.0};
     }
     const double inside = fmin(time, end - 1e-15 * end);
     g->law(g->ctx, inside, &radius, &rate);

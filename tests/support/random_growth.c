@@ -299,7 +299,7 @@ double growth_radius(const tdsp_growing_disc *disc, double time)
     switch (g->kind) {
     case TDSP_GROWTH_POLYNOMIAL: return powers_radius(disc, time);
     case TDSP_GROWTH_RATES: return steps_radius(disc, time);
-    case TDSP_GROWTH_LAW: g->law(g->ctx, time, &radius, &rate); return radius;
+    case TDSP_GROWTH_LAW: g->law(g->ctx, fmin(time, g->until), &radius, &rate); return radius + rate * fmax(0.0, time - g->until);
     case TDSP_GROWTH_RATE: break;
     }
     return disc->radius + g->rate * time;

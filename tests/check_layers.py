@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-LAYERS = {"base": 0, "geom": 1, "table": 1, "query": 2, "scene": 3, "growth": 4, "search": 5, "build": 6, "oracle": 6, "verify": 6, "margin": 6}
+LAYERS = {"base": 0, "geom": 1, "table": 1, "query": 2, "scene": 3, "growth": 4, "search": 5, "build": 6, "oracle": 6, "shape": 6, "verify": 6, "margin": 6}
 LINE = 2
 FREESTANDING = {"float.h", "limits.h", "math.h", "stddef.h", "stdint.h", "string.h"}
 HOSTED = FREESTANDING | {"assert.h", "stdlib.h"}

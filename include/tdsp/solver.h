@@ -121,6 +121,28 @@ typedef struct tdsp_last_departure {
 /** t_last = sup { t : A(t) < infinity } and its reason. Errors as tdsp_latest_departure(). Since 0.1. */
 TDSP_API tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out);
 
+/** A gap that closes, or a place that is squeezed shut. */
+typedef struct tdsp_gap {
+    uint32_t first;   /* the two discs, first < second; both TDSP_NO_DISC where it is not known, and then the other members are 0 */
+    uint32_t second;
+    double time;      /* when the last robot to pass is touched by both */
+    tdsp_point place; /* where */
+} tdsp_gap;
+
+/**
+ * What closes where A jumps: from departure + travel_before at `departure` to departure + travel_after right after it.
+ *
+ * It is the gap event that the latest departure for an arrival inside the jump passes; or else, found by a look along the path of `departure`, the place
+ * at which two discs touch it at the same moment, one on either hand.
+ *
+ * @param out  untouched unless TDSP_OK
+ * @return TDSP_OK; TDSP_NO_ANSWER when nothing of the kind is found; TDSP_INVALID_ARGUMENT for NULL, a departure that is negative or not finite, and
+ *         travel times that do not rise or are not finite; an error as of tdsp_latest_departure()
+ *
+ * About one tdsp_latest_departure(), whose last answer is lost; the look takes O(legs * discs). One thread at a time for a solver. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, double travel_before, double travel_after, tdsp_gap *out);
+
 /**
  * The path of the last answer: of A(t), or of A(t) at the latest departure.
  *

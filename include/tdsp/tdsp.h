@@ -10,6 +10,7 @@
 #include "tdsp/path.h"
 #include "tdsp/scene.h"
 #include "tdsp/search.h"
+#include "tdsp/shape.h"
 #include "tdsp/solver.h"
 #include "tdsp/status.h"
 #include "tdsp/table.h"

@@ -15,7 +15,7 @@ import sys
 import report
 from common import MACHINE_HEADER, Run, machine, note, read_csv, today, write_csv
 
-SECTIONS = ("peers", "scaling", "epsilon", "lookup", "real")
+SECTIONS = ("peers", "scaling", "epsilon", "envelope", "lookup", "real")
 
 
 def measure_section(run, name, folder):

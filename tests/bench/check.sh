@@ -25,8 +25,8 @@ END
 }
 
 verdict "the short bench runs" "$python" tests/bench/bench.py --build "$build" --short --scenes examples/scenes --peers "$docs/none" --docs "$docs"
-for table in peers scaling epsilon threads lookup scenes tables machine; do verdict "bench rows $table" has_rows "$docs/results/$table.csv"; done
-for picture in scaling-far scaling-near epsilon look-up; do verdict "bench picture $picture" is_png "$docs/pictures/$picture.png"; done
-verdict "the page has every section" test "$(grep -c '^## ' "$docs/results.md")" -eq 6
+for table in peers scaling epsilon threads envelope lookup scenes tables machine; do verdict "bench rows $table" has_rows "$docs/results/$table.csv"; done
+for picture in scaling-far scaling-near epsilon envelope look-up; do verdict "bench picture $picture" is_png "$docs/pictures/$picture.png"; done
+verdict "the page has every section" test "$(grep -c '^## ' "$docs/results.md")" -eq 7
 verdict "the exact baselines agree with the library" baselines_agree
 verdict "no measurement failed" test -z "$(grep -l 'exit status' "$docs"/results/*.csv)"

@@ -1,4 +1,5 @@
 """docs/results.md and its pictures, from the CSV files of the bench."""
+import math
 import statistics
 
 import chart
@@ -31,6 +32,13 @@ The paper bounds the oracle calls by (2 / epsilon) ln(a_last / a_0): a_0 is the 
 """
 
 THREADS = """Threads, for tables of the guarantee *arrival* at 0.3 %. Efficiency is the speed-up by the number of threads; rows and bytes are the same for any number.
+"""
+
+ENVELOPE = """## Pieces of the arrival
+
+How many pieces *F* the earliest arrival has as a function of the departure, found by `tdsp envelope`. The paper claims Omega(n^2). *nsquared*, *N* gaps and a chain of *N* discs, all discs of one rate, has
+*N^2* at least ([derivation](math/pieces.md)). *columns*, a chain and two columns of gaps of one rate, is what comes to mind first; only the gaps add to it. *narrowest* is
+the shortest piece of *nsquared*, where departures are told apart to 1e-4.
 """
 
 LOOKUP = """## Look-up
@@ -248,6 +256,42 @@ def write_epsilon(page):
     page.text += [epsilon_table(rows), THREADS, threads_table(page.rows("threads"))]
 
 
+def envelope_points(rows, kind):
+    return [(int(row["gaps"]), int(row["pieces"])) for row in select(rows, kind=kind)]
+
+
+def envelope_fit(points):
+    """F ~ a N^b, by least squares of the logarithms."""
+    b = chart.exponent(points)
+    if b is None:
+        return None
+    return math.exp(statistics.fmean(math.log(pieces) - b * math.log(gaps) for gaps, pieces in points)), b
+
+
+def write_envelope(page):
+    rows = page.rows("envelope")
+    if not rows:
+        return
+    page.section("envelope", ENVELOPE)
+    series, fits = [], []
+    for i, kind in enumerate(dict.fromkeys(row["kind"] for row in rows)):
+        points = envelope_points(rows, kind)
+        series.append(chart.Series(kind, points, i))
+        for least in (2, 5):
+            found = envelope_fit([point for point in points if point[0] >= least])
+            if found:
+                fits.append(f"*{kind}* from N = {least} on {found[0]:.2f} N^{found[1]:.2f}")
+    gaps = [point[0] for point in envelope_points(rows, "nsquared")]
+    series.append(chart.Series("N^2", [(n, n * n) for n in gaps], 6, dashed=True, bare=True))
+    page.picture("envelope", "Pieces of the arrival over the number of gaps", [chart.Panel("pieces", "gaps N", "F", series)], 1, xformat="%g")
+    lines = []
+    for n in gaps:
+        ours, columns = select(rows, kind="nsquared", gaps=str(n))[0], select(rows, kind="columns", gaps=str(n))[0]
+        lines.append([n, ours["discs"], n * n, ours["pieces"], f"{int(ours['pieces']) / n**2:.2f}", ours["jumps"], ours["narrowest"], columns["discs"], columns["pieces"]])
+    page.text.append(grid(["N", "discs", "N^2", "F", "F / N^2", "jumps", "narrowest", "columns: discs", "F"], lines, 0))
+    page.text.append(f"Least squares of the logarithms: {'; '.join(fits)}.\n")
+
+
 def lookup_panel(rows, queries, kinds):
     series = []
     for ours in (True, False):
@@ -382,6 +426,6 @@ def write_real(page):
 
 def write(docs):
     page = Page(docs)
-    for part in (write_peers, write_scaling, write_memory, write_epsilon, write_lookup, write_real):
+    for part in (write_peers, write_scaling, write_memory, write_epsilon, write_envelope, write_lookup, write_real):
         part(page)
     page.write()

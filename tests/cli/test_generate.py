@@ -7,7 +7,8 @@ import pathlib
 
 from harness import add, done, expect, expect_equal, fails, main, test, write
 
-KINDS = ["random", "crowd", "wall", "mixed", "nsquared"]
+KINDS = ["random", "crowd", "wall", "mixed", "columns", "nsquared"]
+CONSTRUCTIONS = ("columns", "nsquared")
 
 
 def generated(kind, *options):
@@ -18,7 +19,8 @@ def kind_is_valid(kind):
     def check():
         for n in (6, 60):
             text = done("generate", kind, "--n", n).out
-            expect_equal(len(json.loads(text)["discs"]), n)
+            discs = len(json.loads(text)["discs"])
+            expect(2 * n + 3 <= discs <= 2 * n + 40 if kind == "nsquared" else discs == n, discs)
             result = done("arrive", write("scene.json", text), 0)
             expect_equal([result.err, result.rows()[0][3]], ["", "ok"])
     return check
@@ -27,7 +29,7 @@ def kind_is_valid(kind):
 def kind_repeats(kind):
     def check():
         expect_equal(done("generate", kind, "--n", 30, "--seed", 5).out, done("generate", kind, "--n", 30, "--seed", 5).out)
-        if kind != "nsquared":
+        if kind not in CONSTRUCTIONS:
             expect(generated(kind, "--seed", 5)["discs"] != generated(kind, "--seed", 6)["discs"], "the seed changes nothing")
     return check
 
@@ -55,7 +57,7 @@ def mixed_has_three_rates_and_the_others_one():
     rates = sorted({disc["growth"] for disc in generated("mixed", "--n", 60)["discs"]})
     expect_equal(len(rates), 3)
     expect_equal(rates[0], 0)
-    for kind in ("random", "crowd", "wall", "nsquared"):
+    for kind in ("random", "crowd", "wall", "columns", "nsquared"):
         expect_equal(len({disc["growth"] for disc in generated(kind, "--n", 60)["discs"]}), 1, kind)
 
 
@@ -74,22 +76,27 @@ def growth_can_be_chosen():
     slow, fast = (generated("crowd", "--growth", growth)["discs"][0]["growth"] for growth in (0.1, 0.2))
     expect(abs(fast / slow - 2) < 1e-3, (slow, fast))
     fails(2, ["--growth"], "generate", "crowd", "--growth", "-1")
-    fails(2, ["--growth", "nsquared"], "generate", "nsquared", "--growth", "1")
+    for kind in CONSTRUCTIONS:
+        fails(2, ["--growth", kind], "generate", kind, "--growth", "1")
 
 
 @test
-def nsquared_has_travel_times_of_many_pieces():
-    text = done("generate", "nsquared", "--n", 12).out
-    done("build", write("scene.json", text), "-o", "t.tdsp", "--epsilon", "1e-9", "--horizon", 100)
-    expect(done("info", "t.tdsp", "--json").json["rows"] > 10, "few rows")
+def nsquared_has_more_pieces_than_the_square_of_its_gaps_and_columns_two_a_gap():
+    for n in (2, 5):
+        done("generate", "nsquared", "--n", n, "-o", "n.json")
+        done("generate", "columns", "--n", 3 * n, "-o", "c.json")
+        expect(n * n <= done("envelope", "n.json", "--json").json["F"] <= n * n + 2 * n, n)
+        expect_equal(done("envelope", "c.json", "--json", "--horizon", 300).json["F"], 2 * n)
 
 
 @test
 def wrong_kinds_and_numbers_are_usage_errors():
-    fails(2, ['no kind "maze"', "random, crowd, wall, mixed, nsquared"], "generate", "maze")
+    fails(2, ['no kind "maze"', "random, crowd, wall, mixed, columns, nsquared"], "generate", "maze")
     for number in ["0", "-1", "1e3", "x", "99999999999"]:
         fails(2, ["--n"], "generate", "random", "--n", number)
-    fails(2, ["--n", "6"], "generate", "nsquared", "--n", "5")
+    fails(2, ["--n", "6"], "generate", "columns", "--n", "5")
+    fails(2, ["--n", "2", "1000"], "generate", "nsquared", "--n", "1")
+    fails(2, ["--n", "2", "1000"], "generate", "nsquared", "--n", "1001")
     fails(2, ["--seed"], "generate", "random", "--seed", "-1")
 
 

@@ -5,8 +5,6 @@
 #include "json_out.h"
 #include "numbers.h"
 
-#define MOST_DISCS 1000000
-
 typedef struct Wanted {
     gboolean json;
     char *n, *seed, *growth, *output; /* as given; NULL: not given */
@@ -35,15 +33,15 @@ static gboolean parse_growth(Wanted *wanted, GError **error)
 
 static gboolean parse_wanted(Wanted *wanted, const char *kind, GError **error)
 {
-    guint64 n = 100;
     wanted->kind = generate_kind(kind);
     if (!wanted->kind) {
         g_autofree char *names = generate_kinds();
         return cli_fail(error, CLI_USAGE, "no kind \"%s\"; there are %s", kind, names);
     }
-    guint least = wanted->kind->least;
-    const char *wrong = wanted->n ? number_parse_whole(wanted->n, least, MOST_DISCS, &n) : NULL;
-    if (wrong) return cli_fail(error, CLI_USAGE, "--n \"%s\": %s (%u to %d)", wanted->n, wrong, least, MOST_DISCS);
+    guint least = wanted->kind->least, most = wanted->kind->most;
+    guint64 n = 100;
+    const char *wrong = wanted->n ? number_parse_whole(wanted->n, least, most, &n) : NULL;
+    if (wrong) return cli_fail(error, CLI_USAGE, "--n \"%s\": %s (%u to %u)", wanted->n, wrong, least, most);
     wanted->options.n = (guint)n;
     wanted->options.seed = 1;
     wrong = wanted->seed ? number_parse_whole(wanted->seed, 0, G_MAXUINT64, &wanted->options.seed) : NULL;
@@ -114,7 +112,7 @@ int cmd_generate(const CliCommand *command, int argc, char **argv, GError **erro
 {
     g_auto(Wanted) wanted = {0};
     const GOptionEntry entries[] = {
-        {"n", 'n', 0, G_OPTION_ARG_STRING, &wanted.n, "Number of discs (default 100; nsquared: a multiple of 3)", "N"},
+        {"n", 'n', 0, G_OPTION_ARG_STRING, &wanted.n, "Number of discs (default 100; columns: a multiple of 3; nsquared: gaps, and discs of the chain)", "N"},
         {"seed", 0, 0, G_OPTION_ARG_STRING, &wanted.seed, "Seed of the random numbers (default 1)", "SEED"},
         {"growth", 0, 0, G_OPTION_ARG_STRING, &wanted.growth,
          "How many mean spacings a radius gains while the robot crosses the scene once; 0: nothing grows", "G"},

@@ -7,6 +7,8 @@
 int cmd_arrive(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_depart(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_path(const CliCommand *command, int argc, char **argv, GError **error);
+int cmd_jumps(const CliCommand *command, int argc, char **argv, GError **error);
+int cmd_envelope(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_build(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_query(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_info(const CliCommand *command, int argc, char **argv, GError **error);

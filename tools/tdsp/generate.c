@@ -264,9 +264,13 @@ static void make_wall(const GenerateOptions *options, Generated *out)
         add_column(&rng, i, SIDE * (i + 1) / (columns + 1), n / columns + (i < n % columns ? 1 : 0), growth, out);
 }
 
+#define MOST_DISCS 1000000
+#define MOST_FAMILY 1000 /* the floor's radius grows as their number to the fourth */
+
 static const GenerateKind kinds[] = {
-    {"random", 1, 0.10, make_random}, {"crowd", 1, 0.15, make_crowd},         {"wall", 1, 0.5, make_wall},
-    {"mixed", 1, 0.08, make_mixed},   {"nsquared", 6, -1, generate_nsquared},
+    {"random", 1, MOST_DISCS, 0.10, make_random}, {"crowd", 1, MOST_DISCS, 0.15, make_crowd},
+    {"wall", 1, MOST_DISCS, 0.5, make_wall},      {"mixed", 1, MOST_DISCS, 0.08, make_mixed},
+    {"columns", 6, MOST_DISCS, -1, generate_columns}, {"nsquared", 2, MOST_FAMILY, -1, generate_nsquared},
 };
 
 const GenerateKind *generate_kind(const char *name)

@@ -12,14 +12,15 @@ typedef struct Generated {
 } Generated;
 
 typedef struct GenerateOptions {
-    guint n;
+    guint n; /* discs; nsquared: discs of the chain, and gaps */
     guint64 seed;
     double growth; /* radius gained, in mean spacings, while the robot crosses the scene once; negative: the kind's own */
 } GenerateOptions;
 
 typedef struct GenerateKind {
     const char *name;
-    guint least;   /* discs */
+    guint least;   /* n */
+    guint most;
     double growth; /* the kind's own; negative where the kind has no such choice */
     void (*make)(const GenerateOptions *options, Generated *out);
 } GenerateKind;
@@ -29,6 +30,7 @@ const GenerateKind *generate_kind(const char *name);
 /* All names, for messages. */
 char *generate_kinds(void);
 
+void generate_columns(const GenerateOptions *options, Generated *out);
 void generate_nsquared(const GenerateOptions *options, Generated *out);
 
 #endif

@@ -30,6 +30,17 @@ static const CliCommand commands[] = {
      "with --within, of a scene a path that takes at most 1 + DELTA times the least.\n\n"
      "Example:\n  tdsp path examples/scenes/two-discs.json 5 --at 12.5",
      cmd_path},
+    {"jumps", "SCENE", "where the earliest arrival jumps",
+     "Print the departures after which the travel time jumps, by how much, and the two discs that close in\n"
+     "on the path there, with time and place. No jump larger than --least is missed.\n\n"
+     "Example:\n  tdsp jumps examples/scenes/two-discs.json",
+     cmd_jumps},
+    {"envelope", "SCENE", "the pieces of the earliest arrival",
+     "Print the sequence of combinatorial forms of the fastest paths, the discs that they ride and how: one\n"
+     "line for each piece of departures, with the travel times at its ends and what ends it (a jump, a touch\n"
+     "of a disc, a switch to another way), and at last their number F.\n\n"
+     "Example:\n  tdsp envelope examples/scenes/two-discs.json",
+     cmd_envelope},
     {"build", "SCENE -o TABLE", "a table of certified arrivals, from a scene",
      "Sample the exact arrivals of a scene into a table that answers every departure with a\n"
      "certified interval and a path. The guarantee: travel times within 1 + E (travel), arrival\n"
@@ -64,8 +75,8 @@ static const CliCommand commands[] = {
      cmd_embed},
     {"generate", "KIND", "a made-up scene",
      "Print a scene of a KIND: random (discs of all sizes), crowd (equal discs), wall (columns of\n"
-     "touching discs with gaps), mixed (three growth rates), nsquared (the paper's construction, whose\n"
-     "travel time has very many pieces).\n\n"
+     "touching discs with gaps), mixed (three growth rates), columns (gaps that close one after the\n"
+     "other), nsquared (N gaps and a chain of N discs, whose arrival has over N^2 pieces).\n\n"
      "Example:\n  tdsp generate crowd --n 300 --seed 7 > crowd.json",
      cmd_generate},
 };

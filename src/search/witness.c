@@ -11,6 +11,7 @@
 #include <math.h>
 
 #include "search/solver.h"
+#include "tdsp/growth.h"
 #include "tdsp/path.h"
 
 /* Two discs that touch come this near, of the journey's length; the departure of a jump is exact to 1e-11 or so. */
@@ -33,8 +34,9 @@ typedef struct pinch {
 
 static double disc_reach(const tdsp_solver *solver, uint32_t disc, double time)
 {
-    const tdsp_disc *given = &solver->scene->discs[disc];
-    return given->radius + given->growth * time + solver->scene->journey.radius;
+    double radius = 0.0;
+    (void)tdsp_scene_disc_at(solver->scene, disc, time, &radius, NULL); /* of a disc and a time that are in range */
+    return radius + solver->scene->journey.radius;
 }
 
 /* On which hand a disc is, +1 the left, and how far away: at `time` on the leg. */

@@ -63,8 +63,8 @@ static tdsp_status forms_write(shape_forms *self, size_t legs, double least, siz
 
 static int form_is(const shape_forms *self, size_t form, size_t count)
 {
+    if (self->forms[form].count != count || count == 0) return self->forms[form].count == count;
     const tdsp_ride *one = self->rides + self->forms[form].first, *other = self->rides + self->ride_count;
-    if (self->forms[form].count != count) return 0;
     for (size_t i = 0; i < count; ++i)
         if (one[i].disc != other[i].disc || one[i].turn != other[i].turn) return 0;
     return 1;

@@ -32,7 +32,7 @@ typedef enum tdsp_growth_kind {
  * Conditions: R is continuous and never falls; between the kinks that are given (tdsp_growth.times) it is smooth; the same time always has the same
  * answer. It is called while the scene is made, for times from 0 to `until`, in no order, and not afterwards: the scene keeps pieces of polynomials
  * that follow it to 1e-13 of the radius at the end of each piece, and to what the disc grows in the rounding of a time. Kinks that are not given
- * are found by halving, which takes about a hundred calls each, and ends where what is left of the jump moves the radius by less than that. What happens
+ * are found by halving, which takes some thousand calls each, and ends where what is left of the jump moves the radius by less than that. What happens
  * between two times at which the law was asked, at most 1/64 of `until` apart, can hide only as far as the disc grows between them.
  *
  * A law that breaks a condition where it is looked at, or takes more than 16384 pieces, is refused.

@@ -25,6 +25,17 @@ extern "C" {
  */
 #define TDSP_SOLVER_ERROR 1e-11
 
+/**
+ * How fixed-time questions are solved. The first two are Yi's variants, in which tangents and spirals are closed formulas; the third knows any growth
+ * law (polynomials are Nouri and Sack's setting) and isolates roots. All give the same answers where they apply.
+ */
+typedef enum tdsp_method {
+    TDSP_METHOD_AUTO = 0,             /* the first of the others that applies */
+    TDSP_METHOD_SAME_SPEED = 1,       /* all discs grow at one rate in common */
+    TDSP_METHOD_DIFFERENT_SPEEDS = 2, /* each disc grows at a rate of its own */
+    TDSP_METHOD_GENERAL = 3           /* discs grow by any laws (tdsp/growth.h) */
+} tdsp_method;
+
 /** A workspace for questions to one scene: one for each thread. */
 typedef struct tdsp_solver tdsp_solver;
 
@@ -35,6 +46,15 @@ typedef struct tdsp_solver tdsp_solver;
  * meet on top: some 4 KB for each disc ridden (tdsp_solver_work_done() tells). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out);
+
+/** As tdsp_solver_create(), with a method of one's choice. TDSP_NOT_SUPPORTED when it does not apply to the scene. Since 0.1. */
+TDSP_API tdsp_status tdsp_solver_create_for(const tdsp_scene *scene, tdsp_method method, tdsp_solver **out);
+
+/** The method of a solver, never TDSP_METHOD_AUTO. O(1). Since 0.1. */
+TDSP_API tdsp_method tdsp_solver_method(const tdsp_solver *solver);
+
+/** A method's stable name, e.g. "same_speed"; "unknown" for any other value. Never NULL; static storage; any thread. Since 0.1. */
+TDSP_API const char *tdsp_method_name(tdsp_method method);
 
 /** Free a solver; NULL is allowed. Since 0.1. */
 TDSP_API void tdsp_solver_free(tdsp_solver *solver);
@@ -63,7 +83,8 @@ TDSP_API tdsp_status tdsp_solver_ends(const tdsp_solver *solver, tdsp_ends *out)
  * @param departure  finite, not negative
  * @param arrival    the arrival; infinity when there is no way. Untouched on error (a status that is no answer)
  * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED or TDSP_CUT_OFF when there is no way;
- *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a departure too many journeys away (TDSP_SOLVER_ERROR); TDSP_NO_MEMORY
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a departure too many journeys away (TDSP_SOLVER_ERROR); TDSP_SHRINKS when the
+ *         answer reaches beyond tdsp_scene_valid_until(); TDSP_NO_MEMORY
  *
  * O(n^2 log n) at worst for discs of one rate. One thread at a time for a solver. Since 0.1.
  */

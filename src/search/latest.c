@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "search/gap.h"
+#include "search/general.h"
 #include "search/reason.h"
 
 /* A(t) counts as equal to a within this share of the times at hand. */
@@ -289,6 +290,7 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after,
     *state = start;
     solver->has_path = 0;
     solver->passed.first = TDSP_NO_DISC;
+    if (solver->growth) return general_latest(solver, arrival, after, before, &state->best, &state->arrives);
     if (scene_is_still(scene)) return latest_still(state, arrival);
     if (solver_is_far(solver, fmin(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
@@ -407,6 +409,7 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
     if (!isinf(state.best)) status = last_explain(&state, &last);
     if (!isinf(state.best) && status == TDSP_OK) status = latest_confirm(&state);
     if (status != TDSP_OK) return status;
+    if (solver->growth && last.reason == TDSP_CUT_OFF) general_witness(solver, &last);
     last.departure = state.best;
     last.arrival = state.arrives;
     *out = last;

@@ -15,6 +15,7 @@
  */
 static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *open)
 {
+    if (solver->growth) return growth_explain(solver->growth, &solver->ends, departure, open);
     engine_question why = solver_forward_question(solver, departure);
     why.explain = 1;
     why.limit = EXPLAIN_TIME * (point_distance(why.start, why.goal) + fabs(why.time) + fabs(why.goal_until));
@@ -69,8 +70,9 @@ static tdsp_status open_at_last_moment(const tdsp_solver *solver, int *open)
 
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
-    int open, enclosed;
-    tdsp_status status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, departure / solver->scene->time, &enclosed);
+    int open, enclosed = 0;
+    tdsp_status status = TDSP_OK;
+    if (!solver->growth) status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, departure / solver->scene->time, &enclosed);
     if (status != TDSP_OK) return status;
     if (enclosed) {
         *reason = TDSP_CUT_OFF;

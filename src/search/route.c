@@ -5,7 +5,7 @@
  * Neighbouring legs share their end to the bit: a leg starts where and when the one before ended.
  */
 #include "geom/spiral.h"
-#include "search/solver.h"
+#include "search/general.h"
 
 /* Shorter than this share of the journey is nothing: it only joins. */
 #define NOTHING 1e-15
@@ -114,7 +114,10 @@ tdsp_status route_keep(tdsp_solver *solver, double departure, double arrival)
 {
     solver->has_path = 0;
     solver->path_count = 0;
-    if (solver->engine.arrived != ENGINE_NONE) {
+    if (solver->growth) {
+        tdsp_status status = general_route(solver, departure, arrival);
+        if (status != TDSP_OK) return status;
+    } else if (solver->engine.arrived != ENGINE_NONE) {
         tdsp_status status = path_collect(solver);
         if (status != TDSP_OK) return status;
         path_turn_round(solver);

@@ -5,23 +5,65 @@
 
 #include "geom/tolerance.h"
 #include "search/gap.h"
+#include "search/general.h"
 #include "search/reason.h"
 #include "tdsp/growth.h"
 
 /* Chunks of rides after which the oracle does without an exact answer, where it may. */
 #define ORACLE_PATIENCE 20000u
 
+/* The first method that applies. */
+static tdsp_method method_for(const tdsp_scene *scene)
+{
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_METHOD_GENERAL;
+    for (size_t i = 1; i < scene->count; ++i)
+        if (scene->discs[i].growth != scene->discs[0].growth) return TDSP_METHOD_DIFFERENT_SPEEDS;
+    return TDSP_METHOD_SAME_SPEED;
+}
+
+const char *tdsp_method_name(tdsp_method method)
+{
+    switch (method) {
+    case TDSP_METHOD_AUTO: return "auto";
+    case TDSP_METHOD_SAME_SPEED: return "same_speed";
+    case TDSP_METHOD_DIFFERENT_SPEEDS: return "different_speeds";
+    case TDSP_METHOD_GENERAL: return "general";
+    }
+    return "unknown";
+}
+
+tdsp_method tdsp_solver_method(const tdsp_solver *solver)
+{
+    return solver ? solver->method : TDSP_METHOD_AUTO;
+}
+
 tdsp_status tdsp_solver_create(const tdsp_scene *scene, tdsp_solver **out)
 {
-    if (!scene || !out) return TDSP_INVALID_ARGUMENT;
-    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
+    return tdsp_solver_create_for(scene, TDSP_METHOD_AUTO, out);
+}
+
+static tdsp_status solver_prepare(tdsp_solver *solver)
+{
+    const tdsp_scene *scene = solver->scene;
+    tdsp_status status = engine_create(&solver->engine, scene);
+    if (status == TDSP_OK) status = relax_create(&solver->relaxation, scene);
+    if (status == TDSP_OK && solver->method == TDSP_METHOD_GENERAL) status = growth_create(scene, &solver->growth);
+    return status;
+}
+
+tdsp_status tdsp_solver_create_for(const tdsp_scene *scene, tdsp_method method, tdsp_solver **out)
+{
+    if (!scene || !out || method < TDSP_METHOD_AUTO || method > TDSP_METHOD_GENERAL) return TDSP_INVALID_ARGUMENT;
+    tdsp_method narrowest = method_for(scene);
+    if (method == TDSP_METHOD_AUTO) method = narrowest;
+    if (method < narrowest) return TDSP_NOT_SUPPORTED;
     tdsp_solver *solver = memory_array(&scene->allocator, 1, sizeof *solver);
     if (!solver) return TDSP_NO_MEMORY;
     memset(solver, 0, sizeof *solver);
     solver->scene = scene;
     solver->ends = scene->ends;
-    tdsp_status status = engine_create(&solver->engine, scene);
-    if (status == TDSP_OK) status = relax_create(&solver->relaxation, scene);
+    solver->method = method;
+    tdsp_status status = solver_prepare(solver);
     if (status != TDSP_OK) {
         tdsp_solver_free(solver);
         return status;
@@ -34,6 +76,7 @@ void tdsp_solver_free(tdsp_solver *solver)
 {
     if (!solver) return;
     const tdsp_allocator *memory = &solver->scene->allocator;
+    growth_free(solver->growth);
     engine_free(&solver->engine);
     relax_free(&solver->relaxation);
     enclosure_free(&solver->enclosure, memory);
@@ -132,6 +175,7 @@ static tdsp_status ask_arrival(void *ctx, const disc_set *set)
 tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
     arrival_question question = {solver, solver->work, departure, INFINITY, TDSP_OK};
+    if (solver->growth) return general_arrival(solver, departure, arrival);
     solver->has_path = 0;
     tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_arrival, &question);
     if (status != TDSP_OK) return status;
@@ -242,7 +286,7 @@ tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
     out->latest_departure = oracle_departure;
     out->path = oracle_path;
     out->last_reason = oracle_last_reason;
-    out->earliest_arrival_within = oracle_within;
+    if (!solver->growth) out->earliest_arrival_within = oracle_within;
     out->latest_departure_between = oracle_departure_between;
     return TDSP_OK;
 }

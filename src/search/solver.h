@@ -2,6 +2,7 @@
 #ifndef SEARCH_SOLVER_H
 #define SEARCH_SOLVER_H
 
+#include "growth/growth.h"
 #include "search/enclosure.h"
 #include "search/relax.h"
 #include "tdsp/solver.h"
@@ -9,6 +10,8 @@
 struct tdsp_solver {
     const tdsp_scene *scene;
     scene_ends ends; /* of the question under way */
+    tdsp_method method;
+    growth_solver *growth; /* for scenes whose rates change, or when asked for; else NULL */
     disc_engine engine;
     relaxation relaxation;
     enclosure enclosure;

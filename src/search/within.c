@@ -59,6 +59,11 @@ tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, 
 {
     if (!solver || !arrival || !lower || !(departure >= 0.0) || isinf(departure) || !(delta >= 0.0 && delta <= 1.0))
         return TDSP_INVALID_ARGUMENT;
+    if (solver->growth) { /* whose answers are all exact */
+        tdsp_status exact = tdsp_earliest_arrival(solver, departure, arrival);
+        if (tdsp_status_is_answer(exact)) *lower = *arrival;
+        return exact;
+    }
     if (solver_is_far(solver, departure)) return TDSP_NOT_SUPPORTED;
     within_question question = {solver, solver->work, departure, delta, INFINITY, departure, TDSP_OK};
     solver->has_path = 0;

@@ -1,0 +1,215 @@
+/* Labels: the description is in engine.h. */
+#include "growth/engine.h"
+
+#include "growth/leave.h"
+#include "growth/ride.h"
+#include "growth/wake.h"
+
+typedef enum label_kind { LABEL_LEG, LABEL_RIDE } label_kind;
+
+/* A label's bound was worked out when it was made. */
+static double label_bound(void *ctx, const tdsp_label *label)
+{
+    const growth_engine *engine = ctx;
+    return label->kind == LABEL_LEG ? engine->legs[label->id].bound : engine->rides[label->id].bound;
+}
+
+static tdsp_status push_label(growth_engine *engine, label_kind kind, uint32_t id, double time)
+{
+    tdsp_label label = {time, id, kind};
+    return tdsp_search_push(engine->open, &label);
+}
+
+int growth_leg_is_blocked(growth_engine *engine, const growth_leg *leg, growth_hit *hit)
+{
+    uint32_t from = leg->ride == GROWTH_NONE ? GROWTH_NONE : engine->rides[leg->ride].disc;
+    growth_hit first = {GROWTH_NONE, leg->arrive};
+    ++engine->legs_tested;
+    for (uint32_t i = 0; i < engine->member_count; ++i) {
+        uint32_t disc = engine->members[i];
+        uint32_t left = disc == from ? engine->rides[leg->ride].run : SHAPE_NONE, met = disc == leg->disc ? leg->run : SHAPE_NONE;
+        double time;
+        if (!sight_is_blocked(engine_shape(engine, disc), engine->question.sign, &leg->line, first.time, left, met, &time)) continue;
+        first.disc = disc;
+        first.time = time;
+        if (!engine->question.explain) break;
+    }
+    *hit = first;
+    return first.disc != GROWTH_NONE;
+}
+
+int growth_line_is_blocked(growth_engine *engine, const sight_line *line, double end, uint32_t except)
+{
+    double time;
+    for (uint32_t i = 0; i < engine->member_count; ++i) {
+        uint32_t disc = engine->members[i];
+        if (disc == except) continue;
+        if (sight_is_blocked(engine_shape(engine, disc), engine->question.sign, line, end, SHAPE_NONE, SHAPE_NONE, &time)) return 1;
+    }
+    return 0;
+}
+
+/* Does the disc that stops a robot cover the goal by then? */
+static int is_explained(const growth_engine *engine, uint32_t disc, double time)
+{
+    const growth_question *question = &engine->question;
+    return question->explain && disc != GROWTH_NONE && sight_is_inside(engine_shape(engine, disc), question->sign, question->goal, time);
+}
+
+static tdsp_status leg_add(growth_engine *engine, const growth_leg *leg)
+{
+    tdsp_status status = memory_reserve(&engine->allocator, (void **)&engine->legs, &engine->leg_capacity, engine->leg_count + 1, sizeof *leg);
+    if (status == TDSP_OK) engine->legs[engine->leg_count++] = *leg;
+    return status;
+}
+
+tdsp_status growth_push_leg(growth_engine *engine, const growth_leg *leg)
+{
+    growth_hit hit;
+    if (!(leg->arrive + leg->bound <= engine->limit)) return TDSP_OK;
+    if (leg->disc == GROWTH_GOAL) {
+        if (leg->arrive > engine->question.goal_until) return TDSP_OK;
+        if (!engine->question.explain && growth_leg_is_blocked(engine, leg, &hit)) return TDSP_OK;
+        if (!engine->question.explain) tdsp_search_limit(engine->open, engine->limit = leg->arrive);
+    }
+    tdsp_status status = leg_add(engine, leg);
+    return status == TDSP_OK ? push_label(engine, LABEL_LEG, (uint32_t)(engine->leg_count - 1), leg->arrive) : status;
+}
+
+static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
+{
+    growth_shape *shape = &engine->shapes[ride->disc];
+    tdsp_status status = shape_measure(shape, &engine->allocator, ride->run);
+    if (status != TDSP_OK) return status;
+    if (wake_covers(engine, ride->disc, ride->run, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
+    status = memory_reserve(&engine->allocator, (void **)&engine->rides, &engine->ride_capacity, engine->ride_count + 1, sizeof *ride);
+    if (status != TDSP_OK) return status;
+    ride->now = ride->start;
+    ride->next = engine->heads[ride->disc];
+    ride->is_over = 0;
+    engine->rides[engine->ride_count] = *ride;
+    engine->heads[ride->disc] = (uint32_t)engine->ride_count;
+    return push_label(engine, LABEL_RIDE, (uint32_t)engine->ride_count++, ride->start.time);
+}
+
+static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)
+{
+    const growth_leg leg = engine->legs[index];
+    growth_hit hit;
+    engine->latest = fmax(engine->latest, leg.arrive);
+    if ((leg.disc != GROWTH_GOAL || engine->question.explain) && growth_leg_is_blocked(engine, &leg, &hit)) {
+        engine->is_explained = *done = is_explained(engine, hit.disc, hit.time);
+        return TDSP_OK;
+    }
+    if (leg.disc == GROWTH_GOAL) {
+        engine->arrived = index;
+        *done = 1;
+        return TDSP_OK;
+    }
+    const growth_shape *shape = engine_shape(engine, leg.disc);
+    tdsp_point out = point_sub(sight_place(&leg.line, leg.arrive), shape->center);
+    growth_ride ride = {.disc = leg.disc, .run = leg.run, .side = leg.side, .leg = index, .start = leg.land, .bound = leg.bound};
+    ride.normal = atan2(out.y, out.x);
+    return ride_begin(engine, &ride);
+}
+
+/* Follow a ride by one chunk. */
+static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
+{
+    growth_ride ride = engine->rides[index]; /* the array may move */
+    const growth_shape *shape = engine_shape(engine, ride.disc);
+    growth_chunk chunk;
+    uint32_t stopper;
+    if (!rider_next_chunk(shape, engine->question.sign, &ride, &chunk)) return TDSP_OK;
+    double whole = chunk.to, limit = engine->limit;
+    if (!chunk.base.in_fan) chunk.to = fmin(chunk.to, fmax(chunk.from, limit));
+    chunk.to = ride_free_until(engine, &chunk, &stopper);
+    double free_until = chunk.to;
+    if (is_explained(engine, stopper, chunk.to)) {
+        engine->is_explained = *done = 1;
+        return TDSP_OK;
+    }
+    engine->latest = fmax(engine->latest, chunk_moment(&chunk, chunk.to).time);
+    chunk.to = wake_cut(engine, &chunk, index);
+    int is_cut = chunk.to < whole || free_until < whole;
+    tdsp_status status = chunk.to > chunk.from ? leave_chunk(engine, &chunk, index) : TDSP_OK;
+    if (status != TDSP_OK) return status;
+    int is_over = is_cut;
+    growth_moment now = is_cut ? chunk_moment(&chunk, chunk.to) : rider_after(&chunk, &is_over);
+    growth_ride *kept = &engine->rides[index];
+    kept->now = now;
+    kept->is_over = is_over || rider_turned(shape, engine->question.sign, kept, &now) > GEOM_TURN;
+    if (kept->is_over) return TDSP_OK;
+    kept->bound = point_distance(rider_place(shape, engine->question.sign, kept, &now), engine->question.goal);
+    return push_label(engine, LABEL_RIDE, index, now.time);
+}
+
+static tdsp_status label_taken(void *ctx, const tdsp_label *label, tdsp_search *open, int *done)
+{
+    growth_engine *engine = ctx;
+    (void)open;
+    ++engine->labels;
+    return label->kind == LABEL_LEG ? leg_taken(engine, label->id, done) : ride_taken(engine, label->id, done);
+}
+
+/* A start on a boundary may ride at once, either way round. */
+static tdsp_status start_rides(growth_engine *engine, uint32_t disc)
+{
+    const growth_question *question = &engine->question;
+    const growth_shape *shape = engine_shape(engine, disc);
+    uint32_t span = sight_span_at(shape, question->sign, question->time), run = shape->spans[span].run;
+    tdsp_point out = point_sub(question->start, shape->center);
+    double radius = shape_radius(shape, question->sign * question->time), gap = point_length(out) - radius;
+    if (run == SHAPE_NONE || gap > 1e-12 * (1.0 + radius)) return TDSP_OK;
+    tdsp_status status = TDSP_OK;
+    for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
+        growth_ride ride = {.disc = disc, .run = run, .side = side, .leg = GROWTH_NONE, .normal = atan2(out.y, out.x)};
+        ride.start.span = span;
+        ride.start.time = question->time;
+        ride.bound = point_distance(question->start, question->goal);
+        status = ride_begin(engine, &ride);
+    }
+    return status;
+}
+
+typedef struct start_label {
+    growth_engine *engine;
+    int is_begun;
+} start_label;
+
+/* The first label only begins: pushing is allowed from inside a search. */
+static tdsp_status search_step(void *ctx, const tdsp_label *label, tdsp_search *open, int *done)
+{
+    start_label *self = ctx;
+    growth_engine *engine = self->engine;
+    if (self->is_begun) return label_taken(engine, label, open, done);
+    self->is_begun = 1;
+    tdsp_search_limit(open, engine->limit);
+    tdsp_status status = leave_start(engine);
+    for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) status = start_rides(engine, engine->members[i]);
+    return status;
+}
+
+static double search_bound(void *ctx, const tdsp_label *label)
+{
+    const start_label *self = ctx;
+    return self->is_begun ? label_bound(self->engine, label) : 0.0;
+}
+
+tdsp_status growth_run(growth_engine *engine, const growth_question *question)
+{
+    start_label begin = {engine, 0};
+    tdsp_search_problem problem = {sizeof problem, &begin, search_bound, search_step};
+    tdsp_label first = {question->time, 0, LABEL_LEG};
+    engine->question = *question;
+    engine->limit = question->limit;
+    engine->leg_count = engine->ride_count = 0;
+    engine->arrived = GROWTH_NONE;
+    engine->is_explained = 0;
+    engine->latest = question->time;
+    for (uint32_t i = 0; i < engine->shape_count; ++i) engine->heads[i] = GROWTH_NONE;
+    ++engine->runs;
+    for (uint32_t i = 0; i < engine->member_count; ++i)
+        if (sight_is_inside(engine_shape(engine, engine->members[i]), question->sign, question->start, question->time)) return TDSP_OK;
+    return tdsp_search_run(engine->open, &problem, &first, 1, NULL);
+}

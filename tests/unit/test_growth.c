@@ -350,7 +350,10 @@ static void a_scene_of_pieces_is_framed_but_not_indexed(void **state)
     assert_near(scene->length, hypot(8.0, 3.0), 1e-14);
     assert_int_equal(scene->all.count, 0);
     assert_false(scene_is_still(scene));
-    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_NOT_SUPPORTED);
+    assert_int_equal(tdsp_solver_create_for(scene, TDSP_METHOD_DIFFERENT_SPEEDS, &solver), TDSP_NOT_SUPPORTED);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_solver_method(solver), TDSP_METHOD_GENERAL);
+    tdsp_solver_free(solver);
     tdsp_scene_free(scene);
 }
 

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "verify/stretch.h"
+
 #define CHEAP_EVALUATIONS 2000
 #define STACK_PARTS 64 /* a part shorter than 2^-63 of the arc is below the resolution */
 
@@ -10,6 +12,7 @@ typedef struct pass {
     clearance *least;
     const motion *m;
     size_t leg;
+    const tdsp_scene *scene; /* NULL where every disc grows at one rate */
 } pass;
 
 typedef struct part {
@@ -43,12 +46,7 @@ static void line_clear(pass *p, const nearby_disc *disc)
     const motion *m = p->m;
     pass_evaluate(p, disc, 0.0);
     pass_evaluate(p, disc, m->duration);
-    if (!(m->speed > disc->growth)) return;
-    const double ux = (m->leg.to.x - m->leg.from.x) / m->length, uy = (m->leg.to.y - m->leg.from.y) / m->length;
-    const double dx = disc->center.x - m->leg.from.x, dy = disc->center.y - m->leg.from.y;
-    const double foot = dx * ux + dy * uy, height = fabs(dx * uy - dy * ux);
-    const double past = height * disc->growth / sqrt((m->speed - disc->growth) * (m->speed + disc->growth));
-    const double elapsed = (foot + past) / m->speed;
+    const double elapsed = motion_nearest(m, disc->center, disc->growth);
     if (elapsed > 0.0 && elapsed < m->duration) pass_evaluate(p, disc, elapsed);
 }
 
@@ -58,9 +56,8 @@ static double part_bent_bound(const motion *m, const nearby_disc *disc, const pa
     const double span = q->b - q->a;
     const double radii = disc_radius(disc, m->leg.start_time + q->a) + disc_radius(disc, m->leg.start_time + q->b);
     const double near = 0.5 * (q->fa + q->fb + radii - m->speed * span);
-    const double radius = fmin(motion_radius(m, q->a), motion_radius(m, q->b));
     if (!(near > 0.0)) return -INFINITY;
-    return fmin(q->fa, q->fb) - m->speed * (m->speed / near + m->tangential / radius) * span * span / 8.0;
+    return fmin(q->fa, q->fb) - (m->speed * m->speed / near + motion_bend(m, q->a, q->b)) * span * span / 8.0;
 }
 
 /* The larger of the two lower bounds on f over a part. */
@@ -104,10 +101,28 @@ static void arc_clear(pass *p, const nearby_disc *disc)
     }
 }
 
+/* Piece by piece of the disc's growth. */
+static void growing_clear(pass *p, const nearby_disc *disc)
+{
+    const motion *m = p->m;
+    stretch s = {.least = p->least, .m = m, .leg = p->leg, .center = disc->center, .disc = disc->index};
+    double from = m->leg.start_time, to;
+    do {
+        s.piece = p->scene ? swell_at(p->scene, disc->index, from) : swell_of_rate(disc->radius, disc->growth);
+        to = fmin(s.piece.end, m->leg.end_time);
+        stretch_clear(&s, from - m->leg.start_time, to < m->leg.end_time ? to - m->leg.start_time : m->duration);
+        from = to;
+    } while (to < m->leg.end_time);
+}
+
 static void disc_clear(void *ctx, const nearby_disc *disc)
 {
     pass *p = ctx;
     const motion *m = p->m;
+    if (m->leg.kind == TDSP_LEG_CURVE || (p->scene && !swell_is_rate(p->scene, disc->index))) {
+        growing_clear(p, disc);
+        return;
+    }
     const double apart = m->leg.kind == TDSP_LEG_ARC ? motion_distance(disc->center, m->leg.center) : INFINITY;
     if (m->leg.kind == TDSP_LEG_LINE) {
         line_clear(p, disc);
@@ -123,6 +138,6 @@ static void disc_clear(void *ctx, const nearby_disc *disc)
 void clearance_of_leg(clearance *least, const motion *m, size_t leg, const nearby_index *index)
 {
     const motion_circle circle = motion_bound(m);
-    pass p = {least, m, leg};
+    pass p = {least, m, leg, index->scene};
     nearby_visit(index, &circle, m->leg.end_time, &least->found, disc_clear, &p);
 }

@@ -1,8 +1,8 @@
 /*
- * The least clearance of a motion to discs that grow: f(t) = |x(t) - O| - R - V t, over the whole motion.
+ * The least clearance of a motion to discs that grow: f(t) = |x(t) - O| - R(t), over the whole motion. Where the rate changes, and on curves, stretch.h says how;
+ * the rest is about R + V t.
  *
- * On a line f is convex (a norm of an affine function, less an affine one), and with the distance h from O to the line its
- * slope is zero where the robot is h V / sqrt(w^2 - V^2) past the foot of the perpendicular, w being its speed: closed form.
+ * On a line f is convex (a norm of an affine function, less an affine one), least where motion_nearest() says.
  *
  * On an arc around the disc's own centre |x - O| is linear, and so is f: the ends decide. Around another centre two bounds
  * hold on any part [a, b] of the arc, with the constant speed w, tangential rate u and least radius r:

@@ -3,12 +3,14 @@
 
 #include <math.h>
 
+#include "verify/curve.h"
+
 static int point_finite(tdsp_point p)
 {
     return isfinite(p.x) && isfinite(p.y);
 }
 
-static int arc_well_formed(const tdsp_leg *leg)
+static int ride_well_formed(const tdsp_leg *leg)
 {
     if (leg->turn != 1 && leg->turn != -1) return 0;
     if (!point_finite(leg->center) || !isfinite(leg->angle_from)) return 0;
@@ -19,11 +21,12 @@ static int arc_well_formed(const tdsp_leg *leg)
 
 int motion_well_formed(const tdsp_leg *leg)
 {
-    if (leg->kind != TDSP_LEG_LINE && leg->kind != TDSP_LEG_ARC) return 0;
+    if (leg->kind > TDSP_LEG_CURVE) return 0;
     if (!isfinite(leg->start_time) || !isfinite(leg->end_time)) return 0;
     if (leg->end_time < leg->start_time) return 0;
     if (!point_finite(leg->from) || !point_finite(leg->to)) return 0;
-    return leg->kind == TDSP_LEG_LINE || arc_well_formed(leg);
+    if (leg->kind == TDSP_LEG_LINE) return 1;
+    return ride_well_formed(leg) && (leg->kind == TDSP_LEG_ARC || curve_well_formed(leg));
 }
 
 double motion_distance(tdsp_point a, tdsp_point b)
@@ -33,8 +36,12 @@ double motion_distance(tdsp_point a, tdsp_point b)
 
 motion motion_of(const tdsp_leg *leg)
 {
-    motion m = {*leg, leg->end_time - leg->start_time, 0.0, 0.0, 0.0, 0.0, 0.0};
+    motion m = {.leg = *leg, .duration = leg->end_time - leg->start_time};
     double across = 0.0;
+    if (leg->kind == TDSP_LEG_CURVE) {
+        curve_fill(&m);
+        return m;
+    }
     if (leg->kind == TDSP_LEG_LINE) {
         m.length = motion_distance(leg->from, leg->to);
     } else {
@@ -50,7 +57,7 @@ motion motion_of(const tdsp_leg *leg)
     return m;
 }
 
-static double motion_share(const motion *m, double elapsed)
+double motion_share(const motion *m, double elapsed)
 {
     if (!(m->duration > 0.0) || elapsed <= 0.0) return 0.0;
     return elapsed >= m->duration ? 1.0 : elapsed / m->duration;
@@ -58,7 +65,21 @@ static double motion_share(const motion *m, double elapsed)
 
 double motion_radius(const motion *m, double elapsed)
 {
+    if (m->leg.kind == TDSP_LEG_CURVE) return curve_distance_at(m, motion_share(m, elapsed));
     return m->leg.radius_from + (m->leg.radius_to - m->leg.radius_from) * motion_share(m, elapsed);
+}
+
+double motion_bend(const motion *m, double from, double to)
+{
+    if (m->leg.kind == TDSP_LEG_LINE) return 0.0;
+    if (m->leg.kind == TDSP_LEG_CURVE) return m->bend;
+    return m->speed * m->tangential / fmin(motion_radius(m, from), motion_radius(m, to));
+}
+
+static double motion_turned(const motion *m, double share)
+{
+    if (m->leg.kind == TDSP_LEG_CURVE) return curve_turned_at(m, share);
+    return m->leg.sweep * (m->log_growth == 0.0 ? share : log1p(m->growth * share) / m->log_growth);
 }
 
 tdsp_point motion_position(const motion *m, double elapsed)
@@ -69,10 +90,19 @@ tdsp_point motion_position(const motion *m, double elapsed)
         if (x == 1.0) return leg->to;
         return (tdsp_point){leg->from.x + (leg->to.x - leg->from.x) * x, leg->from.y + (leg->to.y - leg->from.y) * x};
     }
-    const double turned = m->log_growth == 0.0 ? x : log1p(m->growth * x) / m->log_growth;
-    const double angle = leg->angle_from + (double)leg->turn * leg->sweep * turned;
+    const double angle = leg->angle_from + (double)leg->turn * motion_turned(m, x);
     const double radius = motion_radius(m, elapsed);
     return (tdsp_point){leg->center.x + radius * cos(angle), leg->center.y + radius * sin(angle)};
+}
+
+double motion_nearest(const motion *m, tdsp_point center, double growth)
+{
+    if (!(m->speed > growth)) return NAN;
+    const double ux = (m->leg.to.x - m->leg.from.x) / m->length, uy = (m->leg.to.y - m->leg.from.y) / m->length;
+    const double dx = center.x - m->leg.from.x, dy = center.y - m->leg.from.y;
+    const double foot = dx * ux + dy * uy, height = fabs(dx * uy - dy * ux);
+    const double past = height * growth / sqrt((m->speed - growth) * (m->speed + growth));
+    return (foot + past) / m->speed;
 }
 
 motion_circle motion_bound(const motion *m)
@@ -80,6 +110,7 @@ motion_circle motion_bound(const motion *m)
     /* No point of the way is farther from its middle, counted in time, than half its length. */
     const motion_circle half = {motion_position(m, 0.5 * m->duration), 0.5 * m->length};
     if (m->leg.kind == TDSP_LEG_LINE) return half;
+    if (m->leg.kind == TDSP_LEG_CURVE) return half;
     const motion_circle whole = {m->leg.center, fmax(m->leg.radius_from, m->leg.radius_to)};
     return whole.radius < half.radius ? whole : half;
 }

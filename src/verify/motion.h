@@ -4,7 +4,7 @@
  * With x in [0, 1] the share of the leg's duration, a line is from + (to - from) x. On an arc the distance from the centre
  * is r = r0 + (r1 - r0) x and the direction is a0 + turn * sweep * ln(1 + q x) / ln(1 + q), q = (r1 - r0) / r0. Its radial
  * rate is r1 - r0 a duration; its tangential rate r * d(angle)/dx = sweep * r0 * q / ln(1 + q) a duration. Both are
- * constant, so the speed is too, and the velocity turns at the rate (tangential rate) / r: that bounds the acceleration.
+ * constant, so the speed is too, and the velocity turns at the rate (tangential rate) / r: that bounds the acceleration. Curves: curve.h.
  */
 #ifndef VERIFY_MOTION_H
 #define VERIFY_MOTION_H
@@ -13,12 +13,15 @@
 
 typedef struct motion {
     tdsp_leg leg;
-    double duration;   /* time */
-    double length;     /* of the way, a length */
-    double speed;      /* length / duration; 0 where the duration is 0 */
-    double tangential; /* arc: the part of the speed across the radius */
-    double growth;     /* arc: q */
-    double log_growth; /* arc: ln(1 + q) */
+    double duration;    /* time */
+    double length;      /* of the way, a length; curve: no less than that */
+    double speed;       /* length / duration; 0 where the duration is 0. Curve: the greatest */
+    double tangential;  /* arc: the part of the speed across the radius */
+    double growth;      /* arc: q */
+    double log_growth;  /* arc: ln(1 + q) */
+    double distance[6]; /* curve: Bernstein coefficients of the distance from the centre ... */
+    double turned[6];   /* ... and of the angle turned, over the duration */
+    double bend;        /* curve: no less than the acceleration */
 } motion;
 
 /* Is every number finite and in its range, so that motion_of() means something? */
@@ -30,8 +33,20 @@ motion motion_of(const tdsp_leg *leg);
 /* Where the robot is at start_time + elapsed, 0 <= elapsed <= duration. */
 tdsp_point motion_position(const motion *m, double elapsed);
 
-/* Arc: the distance from the centre then. */
+/* Arc and curve: the distance from the centre then. */
 double motion_radius(const motion *m, double elapsed);
+
+/* The share of the duration that has passed. */
+double motion_share(const motion *m, double elapsed);
+
+/* A bound on the acceleration between two times. */
+double motion_bend(const motion *m, double from, double to);
+
+/*
+ * Line: when a disc that grows evenly is nearest, as a time elapsed; NaN when it comes nearer all the time. With the distance h from the centre to the line that is
+ * where the robot is h V / sqrt(w^2 - V^2) past the foot of the perpendicular, w being its speed: the slope of the clearance is zero there.
+ */
+double motion_nearest(const motion *m, tdsp_point center, double growth);
 
 /* A circle that holds the whole motion. */
 typedef struct motion_circle {

@@ -12,6 +12,7 @@
 #include <math.h>
 
 #include "scene/scene.h" /* the allocator, nothing else */
+#include "tdsp/growth.h"
 #include "verify/check.h"
 #include "verify/clearance.h"
 #include "verify/motion.h"
@@ -63,8 +64,8 @@ static void check_scales(path_check *check, const tdsp_leg *legs, size_t count)
     check->tolerance = TDSP_VERIFY_TOLERANCE * length + TDSP_VERIFY_ROUNDING * check->magnitude;
 }
 
-/* An arc belongs to the disc it names, and its ends lie where its radii and angles put them. */
-static int arc_fits(const path_check *check, const motion *m)
+/* A ride belongs to the disc it names, and its ends lie where its radii and angles put them. */
+static int ride_fits(const path_check *check, const motion *m)
 {
     const tdsp_leg *leg = &m->leg;
     if (leg->disc >= check->disc_count) return 0;
@@ -75,7 +76,7 @@ static int arc_fits(const path_check *check, const motion *m)
 
 static void check_leg(path_check *check, const motion *m, size_t i)
 {
-    if (m->leg.kind == TDSP_LEG_ARC && !arc_fits(check, m)) check_note(check, TDSP_PROBLEM_LEG, i);
+    if (m->leg.kind != TDSP_LEG_LINE && !ride_fits(check, m)) check_note(check, TDSP_PROBLEM_LEG, i);
     const double reach = check->journey->speed * m->duration * (1.0 + SPEED_RELATIVE);
     if (m->length > reach + TDSP_VERIFY_ROUNDING * check->magnitude) check_note(check, TDSP_PROBLEM_SPEED, i);
 }
@@ -156,6 +157,15 @@ tdsp_journey check_journey(const tdsp_scene *scene, const tdsp_ends *ends)
     return journey;
 }
 
+/* The last moment that the path knows of. */
+static double path_end(const tdsp_leg *legs, size_t count, double arrival)
+{
+    double end = arrival;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(legs[i].end_time)) end = fmax(end, legs[i].end_time);
+    return end;
+}
+
 tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure, double arrival,
                              tdsp_verdict *out)
 {
@@ -170,7 +180,9 @@ tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_ends *ends,
     const tdsp_journey journey = check_journey(scene, ends);
     if (tdsp_journey_check(&journey)) return TDSP_INVALID_ARGUMENT;
     nearby_index index;
-    const tdsp_status status = nearby_build(scene, &scene->allocator, &index);
+    const double end = path_end(legs, count, arrival);
+    if (end > tdsp_scene_valid_until(scene, NULL)) return TDSP_SHRINKS;
+    const tdsp_status status = nearby_build(scene, fmax(departure, end), &scene->allocator, &index);
     if (status != TDSP_OK) return status;
     *out = check_path(scene, &journey, &index, legs, count, departure, arrival);
     nearby_free(&index);

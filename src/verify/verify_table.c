@@ -14,6 +14,7 @@
 #include <math.h>
 
 #include "scene/allocator.h"
+#include "tdsp/growth.h"
 #include "scene/scene.h" /* the allocator, nothing else */
 #include "verify/check.h"
 #include "verify/nearby.h"
@@ -98,6 +99,7 @@ static tdsp_status check_row_path(table_check *check, uint64_t i, const tdsp_row
     if (status != TDSP_OK) return status;
     const double promised = row->departure + row->left;
     const double arrival = count > 0 ? check->legs[count - 1].end_time : promised;
+    if (arrival > tdsp_scene_valid_until(check->scene, NULL)) return TDSP_SHRINKS;
     tdsp_verdict verdict = check_path(check->scene, &check->journey, &check->index, check->legs, count, row->departure, arrival);
     if (arrival > promised + rounding_of(row->departure, row->left)) verdict.problems |= TDSP_PROBLEM_END;
     if (verdict.problems) check_bad_row(check, i, &check->verdict.bad_paths);
@@ -135,6 +137,18 @@ static tdsp_status check_rows(table_check *check)
     return status;
 }
 
+/* No path of the table goes on after this: opening has held each against its row. */
+static tdsp_status last_arrival(const table_check *check, double *until)
+{
+    tdsp_status status = TDSP_OK;
+    for (uint64_t i = 0; status == TDSP_OK && i < check->info.rows; i++) {
+        tdsp_row row;
+        status = tdsp_table_row(check->table, i, &row);
+        if (status == TDSP_OK) *until = fmax(*until, nextafter(row.departure + row.left, INFINITY));
+    }
+    return status;
+}
+
 tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out)
 {
     return tdsp_verify_table_for(scene, NULL, table, out);
@@ -148,7 +162,9 @@ tdsp_status tdsp_verify_table_for(const tdsp_scene *scene, const tdsp_ends *ends
     if (tdsp_journey_check(&check.journey)) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = tdsp_table_get_info(table, &check.info);
     if (status != TDSP_OK) return status;
-    status = nearby_build(scene, &scene->allocator, &check.index);
+    double until = 0.0;
+    status = last_arrival(&check, &until);
+    if (status == TDSP_OK) status = nearby_build(scene, until, &scene->allocator, &check.index);
     if (status != TDSP_OK) return status;
     check.verdict.stale = check.info.scene_hash != tdsp_scene_hash_for(scene, ends);
     status = check_rows(&check);

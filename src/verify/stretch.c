@@ -1,0 +1,143 @@
+/* See stretch.h for the bounds. */
+#include "verify/stretch.h"
+
+#include <math.h>
+
+#include "verify/curve.h"
+
+#define CHEAP_EVALUATIONS 2000
+#define MOST_HALVINGS 60
+
+typedef struct part {
+    double a, b;      /* elapsed time */
+    double fa, fb;    /* f there */
+    bernstein radius; /* of the disc, over the part */
+} part;
+
+static double stretch_time(const stretch *s, double elapsed)
+{
+    return elapsed >= s->m->duration ? s->m->leg.end_time : s->m->leg.start_time + elapsed;
+}
+
+static double stretch_evaluate(const stretch *s, double elapsed)
+{
+    const double time = stretch_time(s, elapsed);
+    const double f = motion_distance(s->center, motion_position(s->m, elapsed)) - swell_radius(&s->piece, time);
+    clearance *least = s->least;
+    if (f < least->found) {
+        least->found = f;
+        least->time = time;
+        least->radius = swell_magnitude(&s->piece, time);
+        least->disc = s->disc;
+        least->leg = s->leg;
+    }
+    return f;
+}
+
+static bernstein stretch_radius(const stretch *s, double from, double to)
+{
+    return swell_over(&s->piece, stretch_time(s, from), stretch_time(s, to));
+}
+
+/* The bound by the bending of f; -infinity where the part may pass the centre. */
+static double part_bent_bound(const stretch *s, const part *q, const bernstein *slope)
+{
+    const double span = q->b - q->a, speed = s->m->speed;
+    const double radii = q->radius.b[0] + q->radius.b[q->radius.degree];
+    const double near = 0.5 * (q->fa + q->fb + radii - speed * span);
+    if (!(near > 0.0)) return -INFINITY;
+    const bernstein bend = bernstein_slope(slope);
+    const double bent = (speed * speed / near + motion_bend(s->m, q->a, q->b)) * span * span - bernstein_least(&bend);
+    return fmin(q->fa, q->fb) - fmax(0.0, bent) / 8.0;
+}
+
+/* The larger of the two lower bounds on f over a part. */
+static double part_bound(const stretch *s, const part *q)
+{
+    const bernstein slope = bernstein_slope(&q->radius);
+    const double way = s->m->speed * (q->b - q->a);
+    const double fall = way + bernstein_most(&slope), rise = way - bernstein_least(&slope);
+    if (rise <= 0.0) return q->fb;
+    const double first = (q->fa * rise + q->fb * fall - fall * rise) / (fall + rise);
+    return fmin(fmin(q->fa, q->fb), fmax(first, part_bent_bound(s, q, &slope)));
+}
+
+/* May the part hold anything lower, by more than the resolution, than was found? If not, what its bound says is kept. */
+static int part_is_open(const stretch *s, double a, double b, double bound, int evaluations, int depth)
+{
+    clearance *least = s->least;
+    const double resolution = evaluations < CHEAP_EVALUATIONS ? least->fine : least->coarse;
+    const double middle = a + 0.5 * (b - a);
+    if (bound < least->found - resolution && middle > a && middle < b && depth < MOST_HALVINGS) return 1;
+    least->bound = fmin(least->bound, bound);
+    return 0;
+}
+
+static void part_clear(const stretch *s, const part *q, int *evaluations, int depth)
+{
+    if (!part_is_open(s, q->a, q->b, part_bound(s, q), *evaluations, depth)) return;
+    const double middle = q->a + 0.5 * (q->b - q->a);
+    const double f = stretch_evaluate(s, middle);
+    part halves[2] = {{q->a, middle, q->fa, f, {0}}, {middle, q->b, f, q->fb, {0}}};
+    bernstein_halve(&q->radius, &halves[0].radius, &halves[1].radius);
+    const int first = q->fb < q->fa;
+    ++*evaluations;
+    part_clear(s, &halves[first], evaluations, depth + 1);
+    part_clear(s, &halves[!first], evaluations, depth + 1);
+}
+
+static void stretch_beside(const stretch *s, double from, double to)
+{
+    int evaluations = 0;
+    const part whole = {from, to, stretch_evaluate(s, from), stretch_evaluate(s, to), stretch_radius(s, from, to)};
+    part_clear(s, &whole, &evaluations, 0);
+}
+
+/* `above` is f over the part, but for the two centres, which may be a little apart. */
+static void around_clear(const stretch *s, const bernstein *above, double apart, double a, double b, int *evaluations, int depth)
+{
+    if (!part_is_open(s, a, b, bernstein_least(above) - 2.0 * apart, *evaluations, depth)) return;
+    const double middle = a + 0.5 * (b - a);
+    bernstein low, high;
+    bernstein_halve(above, &low, &high);
+    stretch_evaluate(s, middle);
+    ++*evaluations;
+    around_clear(s, &low, apart, a, middle, evaluations, depth + 1);
+    around_clear(s, &high, apart, middle, b, evaluations, depth + 1);
+}
+
+static bernstein stretch_distance(const stretch *s, double from, double to)
+{
+    if (s->m->leg.kind == TDSP_LEG_CURVE) return curve_distance(s->m, motion_share(s->m, from), motion_share(s->m, to));
+    return (bernstein){1, {motion_radius(s->m, from), motion_radius(s->m, to)}};
+}
+
+static void stretch_around(const stretch *s, double apart, double from, double to)
+{
+    int evaluations = 0;
+    const bernstein radius = stretch_radius(s, from, to), distance = stretch_distance(s, from, to);
+    const bernstein above = bernstein_less(&distance, &radius);
+    stretch_evaluate(s, from);
+    stretch_evaluate(s, to);
+    around_clear(s, &above, apart, from, to, &evaluations, 0);
+}
+
+static void stretch_past(const stretch *s, double from, double to)
+{
+    const double nearest = motion_nearest(s->m, s->center, s->piece.c[1]);
+    stretch_evaluate(s, from);
+    stretch_evaluate(s, to);
+    if (nearest > from && nearest < to) stretch_evaluate(s, nearest);
+}
+
+void stretch_clear(const stretch *s, double from, double to)
+{
+    const int line = s->m->leg.kind == TDSP_LEG_LINE;
+    const double apart = line ? INFINITY : motion_distance(s->center, s->m->leg.center);
+    if (line && s->piece.degree <= 1)
+        stretch_past(s, from, to);
+    else if (apart <= s->least->fine)
+        stretch_around(s, apart, from, to);
+    else
+        stretch_beside(s, from, to);
+}

@@ -20,15 +20,16 @@ extern "C" {
 #define TDSP_PROBLEM_JOIN 4u       /* legs do not join in place or time */
 #define TDSP_PROBLEM_SPEED 8u      /* faster than the robot */
 #define TDSP_PROBLEM_CLEARANCE 16u /* enters a disc by more than the tolerance */
-#define TDSP_PROBLEM_LEG 32u       /* a leg is not well formed: not finite, time runs backwards, an arc off its centre or its disc's */
+#define TDSP_PROBLEM_LEG 32u       /* a leg is not well formed: not finite, time runs backwards, an arc or curve off its centre or its disc's */
 
 /**
  * What is rounding and no mistake: the tolerance, a length, is
  *     TDSP_VERIFY_TOLERANCE * J + TDSP_VERIFY_ROUNDING * M
  * with the journey J the greater of |sd| and the length of the way, and the magnitude M the largest of: the coordinates of
- * both ends, of the legs and the arcs' centres; the arcs' radii; speed times the largest time; radius and coordinates of the
- * disc with the least clearance. It is granted to the clearance, to each join, to both ends (in time: divided by the speed)
- * and to the ends of an arc. A leg may be longer than speed times duration by the share 1e-9 and TDSP_VERIFY_ROUNDING * M.
+ * both ends, of the legs and the arcs' centres; the arcs' radii; speed times the largest time; the coordinates of the disc with the least
+ * clearance, and what its radius is the sum of. It is granted to the clearance, to each join, to both ends (in time: divided by the speed)
+ * and to the ends of an arc. A leg may be longer than speed times duration by the share 1e-9 and TDSP_VERIFY_ROUNDING * M; a curve counts as long as it would be at its
+ * greatest speed.
  */
 #define TDSP_VERIFY_TOLERANCE 1e-9
 #define TDSP_VERIFY_ROUNDING 1e-13
@@ -37,7 +38,7 @@ typedef struct tdsp_verdict {
     uint32_t problems;    /* 0: the path is good */
     double min_clearance; /* a lower bound on the clearance to the inflated discs over the whole motion: below the least one by at most a
                              quarter of the tolerance, and by a thousandth of it but for legs that creep along a disc they do not
-                             ride; infinite without discs, -infinity when a leg is not finite or runs backwards */
+                             ride, or go around a hundred thousand times where rates change; infinite without discs, -infinity when a leg is not finite or runs backwards */
     double time;          /* when it is least */
     uint32_t disc;        /* to which disc; TDSP_NO_DISC without discs */
     size_t leg;           /* on which leg, or the first leg with a problem */
@@ -49,9 +50,11 @@ typedef struct tdsp_verdict {
  * whole motion, by rigorous bounds between samples.
  *
  * @param departure, arrival  what the path claims
- * @return TDSP_OK when the check was done (the verdict says how it went); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
+ * @return TDSP_OK when the check was done (the verdict says how it went); TDSP_SHRINKS when the path goes on after
+ *         tdsp_scene_valid_until() (the verdict is then untouched); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
  *
- * O(n log n + (log n + near discs) legs) time, O(n) memory meanwhile. Any thread. Since 0.1.
+ * O(n log n + (log n + near discs) legs) time, O(n) memory meanwhile; where rates change, each near disc counts as often as a piece of its law begins during the leg. Any
+ * thread. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure,
                                       double arrival, tdsp_verdict *out);

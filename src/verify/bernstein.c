@@ -9,15 +9,13 @@
 static void bernstein_weigh(double b[], int degree)
 {
     double binomial = 1.0;
-    for (int k = 0; k <= degree; binomial = binomial * (degree - k) / (k + 1), k++)
-        b[k] *= binomial;
+    for (int k = 0; k <= degree; binomial = binomial * (degree - k) / (k + 1), k++) b[k] *= binomial;
 }
 
 static void bernstein_unweigh(double b[], int degree)
 {
     double binomial = 1.0;
-    for (int k = 0; k <= degree; binomial = binomial * (degree - k) / (k + 1), k++)
-        b[k] /= binomial;
+    for (int k = 0; k <= degree; binomial = binomial * (degree - k) / (k + 1), k++) b[k] /= binomial;
 }
 
 /*
@@ -28,17 +26,13 @@ bernstein bernstein_of_powers(const double *c, int degree, double from, double t
 {
     bernstein p = {degree, {0.0}};
     double scale = 1.0;
-    for (int k = 0; k <= degree; k++)
-        p.b[k] = c[k];
+    for (int k = 0; k <= degree; k++) p.b[k] = c[k];
     for (int i = 0; i < degree; i++)
-        for (int k = degree - 1; k >= i; k--)
-            p.b[k] += from * p.b[k + 1];
-    for (int k = 0; k <= degree; k++, scale *= to - from)
-        p.b[k] *= scale;
+        for (int k = degree - 1; k >= i; k--) p.b[k] += from * p.b[k + 1];
+    for (int k = 0; k <= degree; k++, scale *= to - from) p.b[k] *= scale;
     bernstein_unweigh(p.b, degree);
     for (int i = 1; i <= degree; i++)
-        for (int k = degree; k >= i; k--)
-            p.b[k] += p.b[k - 1];
+        for (int k = degree; k >= i; k--) p.b[k] += p.b[k - 1];
     return p;
 }
 
@@ -111,8 +105,7 @@ bernstein bernstein_times(const bernstein *p, const bernstein *q)
     bernstein_weigh(one.b, one.degree);
     bernstein_weigh(other.b, other.degree);
     for (int i = 0; i <= one.degree; i++)
-        for (int k = 0; k <= other.degree; k++)
-            product.b[i + k] += one.b[i] * other.b[k];
+        for (int k = 0; k <= other.degree; k++) product.b[i + k] += one.b[i] * other.b[k];
     bernstein_unweigh(product.b, product.degree);
     return product;
 }

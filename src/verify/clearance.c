@@ -57,7 +57,8 @@ static double part_bent_bound(const motion *m, const nearby_disc *disc, const pa
     const double radii = disc_radius(disc, m->leg.start_time + q->a) + disc_radius(disc, m->leg.start_time + q->b);
     const double near = 0.5 * (q->fa + q->fb + radii - m->speed * span);
     if (!(near > 0.0)) return -INFINITY;
-    return fmin(q->fa, q->fb) - (m->speed * m->speed / near + motion_bend(m, q->a, q->b)) * span * span / 8.0;
+    const double bend = m->tangential / fmin(motion_radius(m, q->a), motion_radius(m, q->b));
+    return fmin(q->fa, q->fb) - m->speed * (m->speed / near + bend) * span * span / 8.0;
 }
 
 /* The larger of the two lower bounds on f over a part. */

@@ -56,8 +56,8 @@ static double curve_reach(const bernstein *distance, const bernstein *outward, c
     const bernstein squares[2] = {bernstein_times(outward, outward), bernstein_times(&across, &across)};
     const bernstein square = bernstein_sum(&squares[0], &squares[1]);
     if (!all_finite(square.b, square.degree + 1)) return INFINITY;
-    const double middle = bernstein_value(&square, 0.5);
-    return sqrt(bernstein_maximum(&square, middle > 0.0 ? SPEED_RESOLUTION * middle : bernstein_size(&square)));
+    const double seen = fmax(bernstein_value(&square, 0.5), fmax(square.b[0], square.b[square.degree]));
+    return sqrt(bernstein_maximum(&square, seen > 0.0 ? SPEED_RESOLUTION * seen : bernstein_size(&square)));
 }
 
 void curve_fill(motion *m)

@@ -34,10 +34,14 @@ double motion_distance(tdsp_point a, tdsp_point b)
     return hypot(b.x - a.x, b.y - a.y);
 }
 
+/* The members that only a curve has are filled in only for one. */
 motion motion_of(const tdsp_leg *leg)
 {
-    motion m = {.leg = *leg, .duration = leg->end_time - leg->start_time};
+    motion m;
     double across = 0.0;
+    m.leg = *leg;
+    m.duration = leg->end_time - leg->start_time;
+    m.speed = m.tangential = m.growth = m.log_growth = m.bend = 0.0;
     if (leg->kind == TDSP_LEG_CURVE) {
         curve_fill(&m);
         return m;
@@ -55,12 +59,6 @@ motion motion_of(const tdsp_leg *leg)
         m.tangential = across / m.duration;
     }
     return m;
-}
-
-double motion_share(const motion *m, double elapsed)
-{
-    if (!(m->duration > 0.0) || elapsed <= 0.0) return 0.0;
-    return elapsed >= m->duration ? 1.0 : elapsed / m->duration;
 }
 
 double motion_radius(const motion *m, double elapsed)

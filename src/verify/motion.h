@@ -37,7 +37,11 @@ tdsp_point motion_position(const motion *m, double elapsed);
 double motion_radius(const motion *m, double elapsed);
 
 /* The share of the duration that has passed. */
-double motion_share(const motion *m, double elapsed);
+static inline double motion_share(const motion *m, double elapsed)
+{
+    if (!(m->duration > 0.0) || elapsed <= 0.0) return 0.0;
+    return elapsed >= m->duration ? 1.0 : elapsed / m->duration;
+}
 
 /* A bound on the acceleration between two times. */
 double motion_bend(const motion *m, double from, double to);

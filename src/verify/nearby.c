@@ -29,10 +29,8 @@ static void discs_halve(nearby_disc *discs, size_t low, size_t high, size_t midd
         const double pivot = center_along(&discs[low + (high - low) / 2], axis);
         size_t i = low, j = high - 1;
         for (;;) {
-            while (center_along(&discs[i], axis) < pivot)
-                i++;
-            while (center_along(&discs[j], axis) > pivot)
-                j--;
+            while (center_along(&discs[i], axis) < pivot) i++;
+            while (center_along(&discs[j], axis) > pivot) j--;
             if (i >= j) break;
             disc_swap(&discs[i++], &discs[j--]);
         }
@@ -45,15 +43,16 @@ static void discs_halve(nearby_disc *discs, size_t low, size_t high, size_t midd
     }
 }
 
-static nearby_node node_over(const nearby_disc *discs, size_t low, size_t high)
+static nearby_node node_over(const nearby_disc *discs, size_t low, size_t high, double *radius)
 {
-    nearby_node node = {discs[low].center, discs[low].center, 0.0, 0.0};
+    nearby_node node = {discs[low].center, discs[low].center, 0.0};
+    *radius = 0.0;
     for (size_t i = low; i < high; i++) {
         node.low.x = fmin(node.low.x, discs[i].center.x);
         node.low.y = fmin(node.low.y, discs[i].center.y);
         node.high.x = fmax(node.high.x, discs[i].center.x);
         node.high.y = fmax(node.high.y, discs[i].center.y);
-        node.radius = fmax(node.radius, discs[i].radius);
+        *radius = fmax(*radius, discs[i].radius);
         node.growth = fmax(node.growth, discs[i].growth);
     }
     return node;
@@ -61,7 +60,7 @@ static nearby_node node_over(const nearby_disc *discs, size_t low, size_t high)
 
 static void tree_build(nearby_index *index, size_t node, size_t low, size_t high)
 {
-    index->nodes[node] = node_over(index->discs, low, high);
+    index->nodes[node] = node_over(index->discs, low, high, &index->radii[node]);
     if (2 * node + 2 >= index->node_count) return;
     const nearby_node *over = &index->nodes[node];
     const int axis = over->high.x - over->low.x < over->high.y - over->low.y;
@@ -72,7 +71,7 @@ static void tree_build(nearby_index *index, size_t node, size_t low, size_t high
 }
 
 /* Fill in the largest radii below a node at a time; the tree is built. */
-static double reach_of(nearby_index *index, double *reach, double time, size_t node, size_t low, size_t high)
+static double radii_of(nearby_index *index, double *radii, double time, size_t node, size_t low, size_t high)
 {
     double largest = 0.0;
     if (2 * node + 2 >= index->node_count) {
@@ -82,32 +81,31 @@ static double reach_of(nearby_index *index, double *reach, double time, size_t n
         }
     } else {
         const size_t middle = low + (high - low) / 2;
-        largest = reach_of(index, reach, time, 2 * node + 1, low, middle);
-        largest = fmax(largest, reach_of(index, reach, time, 2 * node + 2, middle, high));
+        largest = radii_of(index, radii, time, 2 * node + 1, low, middle);
+        largest = fmax(largest, radii_of(index, radii, time, 2 * node + 2, middle, high));
     }
-    reach[node] = largest;
+    radii[node] = largest;
     return largest;
 }
 
-static tdsp_status reach_build(nearby_index *index)
+static double step_time(const nearby_index *index, size_t step)
 {
-    index->reach = memory_array(&index->allocator, NEARBY_STEPS * index->node_count, sizeof *index->reach);
-    if (!index->reach) return TDSP_NO_MEMORY;
-    for (size_t step = 0; step < NEARBY_STEPS; step++) {
-        const double time = step + 1 < NEARBY_STEPS ? index->until / NEARBY_STEPS * (double)(step + 1) : index->until;
-        reach_of(index, index->reach + step * index->node_count, time, 0, 0, index->count);
-    }
-    return TDSP_OK;
+    return step + 1 < index->steps ? index->until / (double)index->steps * (double)(step + 1) : index->until;
 }
 
-/* The largest radii of the nodes at a step that is not before `time`; NULL when there is none. */
-static const double *reach_at(const nearby_index *index, double time)
+static void radii_build(nearby_index *index)
+{
+    for (size_t step = 0; step < index->steps; step++)
+        radii_of(index, index->radii + step * index->node_count, step_time(index, step), 0, 0, index->count);
+    for (size_t node = 0; node < index->node_count; node++) index->nodes[node].growth = 0.0;
+}
+
+/* At the first step that is not before `time`, or the last. */
+static const double *radii_at(const nearby_index *index, double time)
 {
     size_t step = 0;
-    if (time > index->until) return NULL;
-    while (step + 1 < NEARBY_STEPS && index->until / NEARBY_STEPS * (double)(step + 1) < time)
-        step++;
-    return index->reach + step * index->node_count;
+    while (step + 1 < index->steps && step_time(index, step) < time) step++;
+    return index->radii + step * index->node_count;
 }
 
 static void discs_inflate(const tdsp_scene *scene, nearby_disc *out)
@@ -119,29 +117,31 @@ static void discs_inflate(const tdsp_scene *scene, nearby_disc *out)
         out[i] = (nearby_disc){discs[i].center, discs[i].radius + robot, discs[i].growth, (uint32_t)i};
 }
 
+static tdsp_status memory_take(nearby_index *index)
+{
+    size_t leaves = 1;
+    while (index->count / leaves > LEAF_DISCS) leaves *= 2;
+    index->node_count = 2 * leaves - 1;
+    index->discs = memory_array(&index->allocator, index->count, sizeof *index->discs);
+    index->nodes = memory_array(&index->allocator, index->node_count, sizeof *index->nodes);
+    index->radii = memory_array(&index->allocator, index->steps * index->node_count, sizeof *index->radii);
+    return index->discs && index->nodes && index->radii ? TDSP_OK : TDSP_NO_MEMORY;
+}
+
 tdsp_status nearby_build(const tdsp_scene *scene, double until, const tdsp_allocator *allocator, nearby_index *out)
 {
-    size_t count;
-    tdsp_scene_discs(scene, &count);
-    nearby_index index = {.count = count, .allocator = *allocator, .until = until};
-    if (!tdsp_scene_has_rates_only(scene)) index.scene = scene;
-    if (count > 0) {
-        size_t leaves = 1;
-        while (count / leaves > LEAF_DISCS)
-            leaves *= 2;
-        index.node_count = 2 * leaves - 1;
-        index.discs = memory_array(allocator, count, sizeof *index.discs);
-        index.nodes = memory_array(allocator, index.node_count, sizeof *index.nodes);
-        if (!index.discs || !index.nodes) {
+    const int rates = tdsp_scene_has_rates_only(scene);
+    nearby_index index = {
+        .allocator = *allocator, .scene = rates ? NULL : scene, .steps = rates ? 1 : NEARBY_STEPS, .until = until};
+    tdsp_scene_discs(scene, &index.count);
+    if (index.count > 0) {
+        if (memory_take(&index) != TDSP_OK) {
             nearby_free(&index);
             return TDSP_NO_MEMORY;
         }
         discs_inflate(scene, index.discs);
-        tree_build(&index, 0, 0, count);
-        if (index.scene && reach_build(&index) != TDSP_OK) {
-            nearby_free(&index);
-            return TDSP_NO_MEMORY;
-        }
+        tree_build(&index, 0, 0, index.count);
+        if (!rates) radii_build(&index);
     }
     *out = index;
     return TDSP_OK;
@@ -151,53 +151,46 @@ void nearby_free(nearby_index *index)
 {
     memory_free(&index->allocator, index->discs, index->count * sizeof *index->discs);
     memory_free(&index->allocator, index->nodes, index->node_count * sizeof *index->nodes);
-    memory_free(&index->allocator, index->reach, NEARBY_STEPS * index->node_count * sizeof *index->reach);
+    memory_free(&index->allocator, index->radii, index->steps * index->node_count * sizeof *index->radii);
+}
+
+/* Where rates change no node has a growth, and its radius is that of a later time. */
+static int node_near(const nearby_node *node, double radius, const motion_circle *circle, double time, double limit)
+{
+    const double dx = fmax(0.0, fmax(node->low.x - circle->center.x, circle->center.x - node->high.x));
+    const double dy = fmax(0.0, fmax(node->low.y - circle->center.y, circle->center.y - node->high.y));
+    return hypot(dx, dy) - circle->radius - radius - node->growth * time < limit;
 }
 
 /* What is looked for. */
 typedef struct query {
-    const nearby_index *index;
     const motion_circle *circle;
     double time;
     const double *limit;
-    const double *reach; /* of the nodes; NULL where rates tell, or where none is known */
+    nearby_visitor visitor;
+    void *ctx;
 } query;
 
-static double node_radius(const query *q, size_t node)
+static void growing_visit(const query *q, const nearby_disc *discs, size_t count, const tdsp_scene *scene)
 {
-    if (!q->index->scene) return q->index->nodes[node].radius + q->index->nodes[node].growth * q->time;
-    return q->reach ? q->reach[node] : INFINITY;
-}
-
-static double disc_radius(const query *q, const nearby_disc *disc)
-{
-    if (!q->index->scene) return disc->radius + disc->growth * q->time;
-    const swell_piece piece = swell_at(q->index->scene, disc->index, q->time);
-    return swell_radius(&piece, q->time);
-}
-
-static int node_near(const query *q, size_t number)
-{
-    const nearby_node *node = &q->index->nodes[number];
-    const motion_circle *circle = q->circle;
-    const double dx = fmax(0.0, fmax(node->low.x - circle->center.x, circle->center.x - node->high.x));
-    const double dy = fmax(0.0, fmax(node->low.y - circle->center.y, circle->center.y - node->high.y));
-    return hypot(dx, dy) - circle->radius - node_radius(q, number) < *q->limit;
-}
-
-static void leaf_visit(const query *q, size_t low, size_t high, nearby_visitor visitor, void *ctx)
-{
-    const nearby_disc *discs = q->index->discs;
-    for (size_t i = low; i < high; i++) {
+    for (size_t i = 0; i < count; i++) {
+        const swell_piece piece = swell_at(scene, discs[i].index, q->time);
         const double gap = motion_distance(q->circle->center, discs[i].center) - q->circle->radius;
-        if (gap - disc_radius(q, &discs[i]) < *q->limit) visitor(ctx, &discs[i]);
+        if (gap - swell_radius(&piece, q->time) < *q->limit) q->visitor(q->ctx, &discs[i]);
     }
 }
 
-void nearby_visit(const nearby_index *index, const motion_circle *circle, double time, const double *limit, nearby_visitor visitor,
-                  void *ctx)
+static void leaf_visit(const query *q, const nearby_disc *discs, size_t count)
 {
-    const query q = {index, circle, time, limit, index->scene ? reach_at(index, time) : NULL};
+    const motion_circle *circle = q->circle;
+    for (size_t i = 0; i < count; i++) {
+        const double gap = motion_distance(circle->center, discs[i].center) - circle->radius;
+        if (gap - discs[i].radius - discs[i].growth * q->time < *q->limit) q->visitor(q->ctx, &discs[i]);
+    }
+}
+
+static void tree_visit(const nearby_index *index, const query *q, const double *radii)
+{
     struct {
         size_t node, low, high;
     } stack[STACK_NODES];
@@ -208,9 +201,12 @@ void nearby_visit(const nearby_index *index, const motion_circle *circle, double
     }
     while (open > 0) {
         const size_t node = stack[--open].node, low = stack[open].low, high = stack[open].high;
-        if (!node_near(&q, node)) continue;
+        if (!node_near(&index->nodes[node], radii[node], q->circle, q->time, *q->limit)) continue;
         if (2 * node + 2 >= index->node_count) {
-            leaf_visit(&q, low, high, visitor, ctx);
+            if (index->scene)
+                growing_visit(q, index->discs + low, high - low, index->scene);
+            else
+                leaf_visit(q, index->discs + low, high - low);
             continue;
         }
         const size_t middle = low + (high - low) / 2;
@@ -221,4 +217,14 @@ void nearby_visit(const nearby_index *index, const motion_circle *circle, double
         stack[open].low = middle;
         stack[open++].high = high;
     }
+}
+
+void nearby_visit(const nearby_index *index, const motion_circle *circle, double time, const double *limit,
+                  nearby_visitor visitor, void *ctx)
+{
+    const query q = {circle, time, limit, visitor, ctx};
+    if (index->scene && time > index->until)
+        growing_visit(&q, index->discs, index->count, index->scene);
+    else
+        tree_visit(index, &q, index->scene ? radii_at(index, time) : index->radii);
 }

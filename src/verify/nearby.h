@@ -23,16 +23,15 @@
 
 typedef struct nearby_disc {
     tdsp_point center;
-    double radius; /* at t = 0, the robot's radius included */
-    double growth; /* the rate, for a disc that has one */
+    double radius;  /* at t = 0, the robot's radius included */
+    double growth;  /* the rate, of a disc that has one */
     uint32_t index; /* in the scene */
 } nearby_disc;
 
 typedef struct nearby_node {
     tdsp_point low; /* of the box of the centres */
     tdsp_point high;
-    double radius; /* the largest */
-    double growth; /* the largest */
+    double growth; /* the largest; 0 where rates change */
 } nearby_node;
 
 typedef struct nearby_index {
@@ -41,8 +40,9 @@ typedef struct nearby_index {
     size_t count;
     size_t node_count;
     tdsp_allocator allocator;
-    const tdsp_scene *scene; /* NULL where every disc grows at one rate; what follows is for the others */
-    double *reach;           /* for each step the nodes' largest radii */
+    double *radii;           /* of the nodes, the largest: at t = 0, or at one step after the other */
+    size_t steps;            /* 1, or NEARBY_STEPS */
+    const tdsp_scene *scene; /* NULL where every disc grows at one rate */
     double until;
 } nearby_index;
 

@@ -6,6 +6,7 @@
 #include "verify/curve.h"
 
 #define CHEAP_EVALUATIONS 2000
+#define MOST_EVALUATIONS 200000 /* a leg that goes around and around is judged by what is known then */
 #define MOST_HALVINGS 60
 
 typedef struct part {
@@ -68,7 +69,8 @@ static int part_is_open(const stretch *s, double a, double b, double bound, int 
     clearance *least = s->least;
     const double resolution = evaluations < CHEAP_EVALUATIONS ? least->fine : least->coarse;
     const double middle = a + 0.5 * (b - a);
-    if (bound < least->found - resolution && middle > a && middle < b && depth < MOST_HALVINGS) return 1;
+    const int divisible = middle > a && middle < b && depth < MOST_HALVINGS && evaluations < MOST_EVALUATIONS;
+    if (bound < least->found - resolution && divisible) return 1;
     least->bound = fmin(least->bound, bound);
     return 0;
 }

@@ -38,8 +38,7 @@ swell_piece swell_at(const tdsp_scene *scene, uint32_t disc, double time)
     const law_piece *kept = &scene->pieces[number];
     swell_piece piece = {kept->start, INFINITY, (int)kept->degree, {0.0}};
     if (number + 1 < scene->first_piece[disc + 1]) piece.end = kept[1].start;
-    for (int k = 0; k <= piece.degree; k++)
-        piece.c[k] = kept->c[k];
+    for (int k = 0; k <= piece.degree; k++) piece.c[k] = kept->c[k];
     piece.c[0] += scene->journey.radius;
     return piece;
 }
@@ -48,8 +47,7 @@ double swell_radius(const swell_piece *piece, double time)
 {
     const double u = time - piece->start;
     double sum = 0.0;
-    for (int k = piece->degree; k >= 0; k--)
-        sum = sum * u + piece->c[k];
+    for (int k = piece->degree; k >= 0; k--) sum = sum * u + piece->c[k];
     return sum;
 }
 
@@ -57,8 +55,7 @@ double swell_magnitude(const swell_piece *piece, double time)
 {
     const double u = fabs(time - piece->start);
     double sum = 0.0;
-    for (int k = piece->degree; k >= 0; k--)
-        sum = sum * u + fabs(piece->c[k]);
+    for (int k = piece->degree; k >= 0; k--) sum = sum * u + fabs(piece->c[k]);
     return sum;
 }
 

@@ -138,15 +138,13 @@ static tdsp_status check_rows(table_check *check)
 }
 
 /* No path of the table goes on after this: opening has held each against its row. */
-static tdsp_status last_arrival(const table_check *check, double *until)
+static double last_arrival(const table_check *check)
 {
-    tdsp_status status = TDSP_OK;
-    for (uint64_t i = 0; status == TDSP_OK && i < check->info.rows; i++) {
-        tdsp_row row;
-        status = tdsp_table_row(check->table, i, &row);
-        if (status == TDSP_OK) *until = fmax(*until, nextafter(row.departure + row.left, INFINITY));
-    }
-    return status;
+    tdsp_row row;
+    double last = 0.0;
+    for (uint64_t i = 0; i < check->info.rows && tdsp_table_row(check->table, i, &row) == TDSP_OK; i++)
+        last = fmax(last, row.departure + row.left);
+    return nextafter(last, INFINITY);
 }
 
 tdsp_status tdsp_verify_table(const tdsp_scene *scene, const tdsp_table *table, tdsp_table_verdict *out)
@@ -162,9 +160,7 @@ tdsp_status tdsp_verify_table_for(const tdsp_scene *scene, const tdsp_ends *ends
     if (tdsp_journey_check(&check.journey)) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = tdsp_table_get_info(table, &check.info);
     if (status != TDSP_OK) return status;
-    double until = 0.0;
-    status = last_arrival(&check, &until);
-    if (status == TDSP_OK) status = nearby_build(scene, until, &scene->allocator, &check.index);
+    status = nearby_build(scene, last_arrival(&check), &scene->allocator, &check.index);
     if (status != TDSP_OK) return status;
     check.verdict.stale = check.info.scene_hash != tdsp_scene_hash_for(scene, ends);
     status = check_rows(&check);

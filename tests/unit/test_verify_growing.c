@@ -45,7 +45,8 @@ static tdsp_growing_disc grown_disc(grown *g)
 {
     tdsp_growing_disc disc = {g->center, g->radius, {.kind = g->kind, .count = g->count, .values = g->values, .times = g->times}};
     if (g->kind != TDSP_GROWTH_LAW) return disc;
-    disc.growth = (tdsp_growth){.kind = g->kind, .count = g->start > 0, .times = &g->start, .law = grown_law, .ctx = g, .until = 20};
+    disc.growth =
+        (tdsp_growth){.kind = g->kind, .count = g->start > 0, .times = &g->start, .law = grown_law, .ctx = g, .until = 20};
     return disc;
 }
 
@@ -120,7 +121,8 @@ static double sampled_clearance(const tdsp_leg *leg, const grown *g, int samples
 {
     const double step = (leg->end_time - leg->start_time) / samples;
     double best = INFINITY;
-    for (int i = 0; i <= samples; i++) best = fmin(best, clearance_at(leg, g, i < samples ? leg->start_time + i * step : leg->end_time));
+    for (int i = 0; i <= samples; i++)
+        best = fmin(best, clearance_at(leg, g, i < samples ? leg->start_time + i * step : leg->end_time));
     const double near = best + step * step;
     for (int i = 0; i <= samples; i++) {
         const double time = leg->start_time + i * step;
@@ -135,14 +137,19 @@ static tdsp_leg random_line(uint64_t *chance)
     const tdsp_point from = {chance_between(chance, -3, 3), chance_between(chance, -3, 3)};
     const tdsp_point to = {chance_between(chance, -3, 3), chance_between(chance, -3, 3)};
     const double start = chance_between(chance, 0, 4);
-    return (tdsp_leg){.disc = TDSP_NO_DISC, .start_time = start, .end_time = start + hypot(to.x - from.x, to.y - from.y), .from = from,
+    return (tdsp_leg){.disc = TDSP_NO_DISC,
+                      .start_time = start,
+                      .end_time = start + hypot(to.x - from.x, to.y - from.y),
+                      .from = from,
                       .to = to};
 }
 
 static tdsp_leg random_arc(uint64_t *chance)
 {
-    const double start = chance_between(chance, 0, 4), angle = chance_between(chance, -3, 3), sweep = chance_between(chance, 0, 3);
-    tdsp_leg leg = {.kind = TDSP_LEG_ARC, .turn = chance_below(chance, 2) ? 1 : -1, .start_time = start, .angle_from = angle, .sweep = sweep};
+    const double start = chance_between(chance, 0, 4), angle = chance_between(chance, -3, 3),
+                 sweep = chance_between(chance, 0, 3);
+    tdsp_leg leg = {
+        .kind = TDSP_LEG_ARC, .turn = chance_below(chance, 2) ? 1 : -1, .start_time = start, .angle_from = angle, .sweep = sweep};
     leg.center = (tdsp_point){chance_between(chance, -2, 2), chance_between(chance, -2, 2)};
     leg.radius_from = chance_between(chance, 0.3, 1.5);
     leg.radius_to = leg.radius_from + (chance_below(chance, 2) ? chance_between(chance, 0, 1) : 0);
@@ -160,7 +167,8 @@ static tdsp_leg random_curve(uint64_t *chance)
 {
     const tdsp_point center = {chance_between(chance, -2, 2), chance_between(chance, -2, 2)};
     const double start = chance_between(chance, 0, 3), end = start + chance_between(chance, 0.01, 1);
-    return curve_leg(&laws[chance_below(chance, LAWS)], center, 1.5, start, end, chance_between(chance, -3, 3), chance_below(chance, 2) ? 1 : -1);
+    return curve_leg(&laws[chance_below(chance, LAWS)], center, 1.5, start, end, chance_between(chance, -3, 3),
+                     chance_below(chance, 2) ? 1 : -1);
 }
 
 static void assert_clearance_is_the_sampled_one(tdsp_leg (*random_leg)(uint64_t *), int rounds, int samples)
@@ -286,7 +294,7 @@ static void a_curve_with_a_wrong_number_is_rejected(void **state)
             tdsp_leg legs[RIDE];
             make_ride(&laws[0], 1, legs);
             tdsp_leg *leg = &legs[7];
-            double *const numbers[] = {&leg->radius_from, &leg->radius_to, &leg->rate_from, &leg->rate_to, &leg->bend_from,
+            double *const numbers[] = {&leg->radius_from, &leg->radius_to, &leg->rate_from, &leg->rate_to,    &leg->bend_from,
                                        &leg->bend_to,     &leg->sweep,     &leg->speed,     &leg->angle_from, &leg->center.x};
             *numbers[number] += sign * (number == 4 || number == 5 ? 1e-3 : 1e-5);
             if (problems_of(&laws[0], legs) == 0) fail_msg("number %d changed by %d was accepted", number, sign);
@@ -342,8 +350,14 @@ static grown steps_disc(void)
 static tdsp_leg arc_between(const grown *g, double start, double end, double angle)
 {
     const double from = grown_radius(g, start), to = grown_radius(g, end), rate = (to - from) / (end - start);
-    tdsp_leg leg = {.kind = TDSP_LEG_ARC, .turn = 1, .start_time = start, .end_time = end, .center = g->center, .radius_from = from,
-                    .radius_to = to, .angle_from = angle};
+    tdsp_leg leg = {.kind = TDSP_LEG_ARC,
+                    .turn = 1,
+                    .start_time = start,
+                    .end_time = end,
+                    .center = g->center,
+                    .radius_from = from,
+                    .radius_to = to,
+                    .angle_from = angle};
     leg.sweep = sqrt(2.25 - rate * rate) / rate * log(to / from);
     leg.from = (tdsp_point){g->center.x + from * cos(angle), g->center.y + from * sin(angle)};
     leg.to = (tdsp_point){g->center.x + to * cos(angle + leg.sweep), g->center.y + to * sin(angle + leg.sweep)};
@@ -428,7 +442,8 @@ static void many_growing_discs_give_what_each_gives_alone(void **state)
     for (int trial = 0; trial < 20; trial++) {
         const tdsp_point from = {chance_between(&chance, -60, 60), chance_between(&chance, -60, 60)};
         const double start = chance_between(&chance, 0, 5);
-        const tdsp_leg leg = {.disc = TDSP_NO_DISC, .start_time = start, .end_time = start + 1, .from = from, .to = {from.x + 0.6, from.y - 0.8}};
+        const tdsp_leg leg = {
+            .disc = TDSP_NO_DISC, .start_time = start, .end_time = start + 1, .from = from, .to = {from.x + 0.6, from.y - 0.8}};
         double expected = INFINITY;
         for (size_t i = 0; i < COUNT; i++) expected = fmin(expected, sampled_clearance(&leg, &all[i], 64));
         const tdsp_journey journey = {1, 0, leg.from, leg.to};

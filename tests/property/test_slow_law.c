@@ -61,12 +61,12 @@ static void discs_of_one_rate_have_the_other_slow_solvers_answers(void **state)
 
 #define MOST_PLACES 20000
 
-static double growth_departure(growth_case *c, int number)
+static double grown_departure(grown_case *c, int number)
 {
     return number == 0 ? 0.0 : c->scene.unit * chance_between(&c->chance, 0.0, 1.2);
 }
 
-static double growth_until(const growth_case *c, double departure)
+static double grown_until(const grown_case *c, double departure)
 {
     return fmin(c->valid, departure + 6.0 * c->scene.unit);
 }
@@ -76,37 +76,37 @@ static tdsp_point between(tdsp_point a, tdsp_point b, double share)
     return (tdsp_point){a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
 }
 
-static double time_between(const growth_case *c, tdsp_point a, tdsp_point b)
+static double time_between(const grown_case *c, tdsp_point a, tdsp_point b)
 {
     return hypot(b.x - a.x, b.y - a.y) / c->scene.journey.speed;
 }
 
 /* Straight at top speed, as free as so many samples show. */
-static int straight_is_clear(const growth_case *c, tdsp_point a, tdsp_point b, double begin, int samples, double slack)
+static int straight_is_clear(const grown_case *c, tdsp_point a, tdsp_point b, double begin, int samples, double slack)
 {
     const double duration = time_between(c, a, b);
     for (int i = 0; i <= samples; i++)
-        if (!growth_clear(c, between(a, b, (double)i / samples), begin + duration * i / samples, slack)) return 0;
+        if (!grown_clear(c, between(a, b, (double)i / samples), begin + duration * i / samples, slack)) return 0;
     return 1;
 }
 
-static void path_holds(growth_case *c)
+static void path_holds(grown_case *c)
 {
     static slow_law_place places[MOST_PLACES];
     for (int i = 0; i < 2; i++) {
         size_t count;
-        const double departure = growth_departure(c, i), length = c->scene.unit * c->scene.journey.speed, slack = 1e-11 * length;
-        const double arrival = growth_slow_path(c, growth_until(c, departure), departure, places, MOST_PLACES, &count);
+        const double departure = grown_departure(c, i), length = c->scene.unit * c->scene.journey.speed, slack = 1e-11 * length;
+        const double arrival = grown_slow_path(c, grown_until(c, departure), departure, places, MOST_PLACES, &count);
         if (!(arrival < INFINITY)) continue;
-        growth_relates(c, places[count - 1].time, ==, arrival);
-        growth_relates(c, time_between(c, places[0].at, c->scene.journey.source), <=, 0.0);
-        growth_relates(c, time_between(c, places[count - 1].at, c->scene.journey.destination), <=, 1e-12 * c->scene.unit);
+        grown_relates(c, places[count - 1].time, ==, arrival);
+        grown_relates(c, time_between(c, places[0].at, c->scene.journey.source), <=, 0.0);
+        grown_relates(c, time_between(c, places[count - 1].at, c->scene.journey.destination), <=, 1e-12 * c->scene.unit);
         for (size_t k = 0; k + 1 < count; k++) {
             const double duration = places[k + 1].time - places[k].time;
-            growth_holds(c, growth_clear(c, places[k].at, places[k].time, slack));
-            growth_relates(c, time_between(c, places[k].at, places[k + 1].at), <=, duration + 1e-11 * c->scene.unit);
+            grown_holds(c, grown_clear(c, places[k].at, places[k].time, slack));
+            grown_relates(c, time_between(c, places[k].at, places[k + 1].at), <=, duration + 1e-11 * c->scene.unit);
             if (places[k].disc == SLOW_LAW_LINE)
-                growth_holds(c, straight_is_clear(c, places[k].at, places[k + 1].at, places[k].time, 400, slack));
+                grown_holds(c, straight_is_clear(c, places[k].at, places[k + 1].at, places[k].time, 400, slack));
         }
     }
 }
@@ -114,16 +114,16 @@ static void path_holds(growth_case *c)
 static void what_it_finds_is_a_motion_that_keeps_clear(void **state)
 {
     (void)state;
-    growth_each(18, 6, path_holds);
+    grown_each(18, 6, path_holds);
 }
 
 /* No straight way between two places of the path is free and quicker: the path bends only where it must. */
-static void no_chord_is_quicker(growth_case *c)
+static void no_chord_is_quicker(grown_case *c)
 {
     static slow_law_place places[MOST_PLACES];
     size_t count;
-    const double departure = growth_departure(c, 1), slack = 1e-10 * c->scene.unit * c->scene.journey.speed;
-    growth_slow_path(c, growth_until(c, departure), departure, places, MOST_PLACES, &count);
+    const double departure = grown_departure(c, 1), slack = 1e-10 * c->scene.unit * c->scene.journey.speed;
+    grown_slow_path(c, grown_until(c, departure), departure, places, MOST_PLACES, &count);
     const size_t step = 1 + count / 100;
     for (size_t i = 0; i < count; i += step)
         for (size_t j = i + step; j < count; j += step) {
@@ -132,29 +132,29 @@ static void no_chord_is_quicker(growth_case *c)
             int clear = 1;
             for (int samples = 30; samples <= 1000000 && clear; samples *= 30)
                 clear = straight_is_clear(c, a, b, places[i].time, samples, slack);
-            growth_holds(c, !clear);
+            grown_holds(c, !clear);
         }
 }
 
 static void no_short_cut_is_free(void **state)
 {
     (void)state;
-    growth_each(12, 6, no_chord_is_quicker);
+    grown_each(12, 6, no_chord_is_quicker);
 }
 
 /* The grid's way is a way: it may not be quicker. How much slower it is, says how much of the world the comparison sees. */
 static double grid_sum;
 static int grid_count;
 
-static void not_later_than_the_grid(growth_case *c)
+static void not_later_than_the_grid(grown_case *c)
 {
     slow_law_disc laws[GROWTH_MOST_DISCS];
-    const double departure = growth_departure(c, (int)(c->seed % 2)), until = growth_until(c, departure);
+    const double departure = grown_departure(c, (int)(c->seed % 2)), until = grown_until(c, departure);
     for (size_t i = 0; i < c->scene.count; i++) laws[i] = slow_law_of(&c->scene.discs[i]);
-    const double arrival = growth_slow(c, until, departure);
+    const double arrival = grown_slow(c, until, departure);
     const double grid = slow_law_grid(&c->scene.journey, laws, c->scene.count, until, departure, 40);
-    growth_holds(c, !isnan(grid));
-    growth_relates(c, arrival, <=, grid + 1e-12 * c->scene.unit);
+    grown_holds(c, !isnan(grid));
+    grown_relates(c, arrival, <=, grid + 1e-12 * c->scene.unit);
     if (!(grid < INFINITY)) return;
     grid_sum += (grid - departure) / (arrival - departure);
     grid_count++;
@@ -163,7 +163,7 @@ static void not_later_than_the_grid(growth_case *c)
 static void straight_steps_on_a_grid_are_not_quicker(void **state)
 {
     (void)state;
-    growth_each(5, 6, not_later_than_the_grid);
+    grown_each(5, 6, not_later_than_the_grid);
     print_message("over the grid, %.2f %% slower on average\n", 100.0 * (grid_sum / grid_count - 1.0));
     assert_true(grid_count > 0 && grid_sum < 1.03 * grid_count);
 }

@@ -39,19 +39,19 @@ static double valid_until(const tdsp_growing_disc *disc, double until)
     return until;
 }
 
-void growth_each(int scenes, size_t most, void (*check)(growth_case *c))
+void grown_each(int scenes, size_t most, void (*check)(grown_case *c))
 {
-    static growth_case c;
+    static grown_case c;
     const uint64_t first = from_environment("TDSP_PROPERTY_SEED", 0);
     const uint64_t number = (uint64_t)scenes * from_environment("TDSP_PROPERTY_SCENES", 1);
     const char *only = getenv("TDSP_PROPERTY_MIX");
     for (int mix = 0; mix < GROWTH_MIX_COUNT; mix++) {
-        if (only && *only && strcmp(only, growth_mix_name((growth_mix)mix)) != 0) continue;
+        if (only && *only && strcmp(only, grown_mix_name((grown_mix)mix)) != 0) continue;
         for (uint64_t i = 0; i < number; i++) {
-            c.name = growth_mix_name((growth_mix)mix);
+            c.name = grown_mix_name((grown_mix)mix);
             c.seed = first + i;
             c.chance = i;
-            random_growth(c.seed, (growth_mix)mix, 1 + (size_t)(i % most), &c.scene);
+            random_growth(c.seed, (grown_mix)mix, 1 + (size_t)(i % most), &c.scene);
             c.valid = JOURNEYS * c.scene.unit;
             for (size_t k = 0; k < c.scene.count; k++) c.valid = valid_until(&c.scene.discs[k], c.valid);
             check(&c);
@@ -59,27 +59,27 @@ void growth_each(int scenes, size_t most, void (*check)(growth_case *c))
     }
 }
 
-double growth_slow_path(const growth_case *c, double until, double departure, slow_law_place *places, size_t capacity,
-                        size_t *count)
+double grown_slow_path(const grown_case *c, double until, double departure, slow_law_place *places, size_t capacity,
+                       size_t *count)
 {
     slow_law_disc laws[GROWTH_MOST_DISCS];
     for (size_t i = 0; i < c->scene.count; i++) laws[i] = slow_law_of(&c->scene.discs[i]);
     const double arrival = slow_law_path(&c->scene.journey, laws, c->scene.count, until, departure, places, capacity, count);
-    growth_holds(c, !isnan(arrival));
+    grown_holds(c, !isnan(arrival));
     return arrival;
 }
 
-double growth_slow(const growth_case *c, double until, double departure)
+double grown_slow(const grown_case *c, double until, double departure)
 {
     size_t count;
-    return growth_slow_path(c, until, departure, NULL, 0, &count);
+    return grown_slow_path(c, until, departure, NULL, 0, &count);
 }
 
-int growth_clear(const growth_case *c, tdsp_point at, double time, double slack)
+int grown_clear(const grown_case *c, tdsp_point at, double time, double slack)
 {
     for (size_t i = 0; i < c->scene.count; i++) {
         const tdsp_growing_disc *disc = &c->scene.discs[i];
-        const double radius = growth_radius(disc, time) + c->scene.journey.radius;
+        const double radius = grown_radius(disc, time) + c->scene.journey.radius;
         if (radius > 0.0 && hypot(at.x - disc->center.x, at.y - disc->center.y) < radius - slack) return 0;
     }
     return 1;
@@ -93,10 +93,10 @@ static void print_numbers(const char *name, const double *numbers, size_t count)
 }
 
 /* As in a scene file, but for a law by callback, which a file cannot hold: its parts. */
-static void print_growth(const growth_scene *scene, size_t i)
+static void print_growth(const grown_scene *scene, size_t i)
 {
     const tdsp_growth *g = &scene->discs[i].growth;
-    const growth_parts *p = &scene->parts[i];
+    const grown_parts *p = &scene->parts[i];
     if (g->kind == TDSP_GROWTH_RATE) print_error("\"growth\": %.17g", g->rate);
     if (g->kind == TDSP_GROWTH_POLYNOMIAL) print_numbers("growth", g->values, g->count);
     if (g->kind == TDSP_GROWTH_RATES) {
@@ -116,7 +116,7 @@ static void print_growth(const growth_scene *scene, size_t i)
     }
 }
 
-void growth_fail(const growth_case *c, const char *text, double a, double b, const char *file, int line)
+void grown_fail(const grown_case *c, const char *text, double a, double b, const char *file, int line)
 {
     const tdsp_journey *j = &c->scene.journey;
     print_error("%s: %.17g, %.17g in the scene\n", text, a, b);

@@ -12,39 +12,38 @@
 #include "slow/law.h"
 #include "support/random_growth.h"
 
-typedef struct growth_case {
+typedef struct grown_case {
     const char *name; /* of the mix */
     uint64_t seed;
-    growth_scene scene;
+    grown_scene scene;
     double valid;    /* up to when no radius shrinks, at most some journeys */
     uint64_t chance; /* for the property's own choices */
-} growth_case;
+} grown_case;
 
 /* Call `check` with `scenes` scenes of each mix (times TDSP_PROPERTY_SCENES), of 1 to `most` discs. */
-void growth_each(int scenes, size_t most, void (*check)(growth_case *c));
+void grown_each(int scenes, size_t most, void (*check)(grown_case *c));
 
 /* The slow solver's arrival, of those up to `until`. With `places`: its path. */
-double growth_slow(const growth_case *c, double until, double departure);
-double growth_slow_path(const growth_case *c, double until, double departure, slow_law_place *places, size_t capacity,
-                        size_t *count);
+double grown_slow(const grown_case *c, double until, double departure);
+double grown_slow_path(const grown_case *c, double until, double departure, slow_law_place *places, size_t capacity,
+                       size_t *count);
 
 /* Whether a point is clear of every disc at a time, but for `slack`. */
-int growth_clear(const growth_case *c, tdsp_point at, double time, double slack);
+int grown_clear(const grown_case *c, tdsp_point at, double time, double slack);
 
 /* Print the case and fail. */
-void growth_fail(const growth_case *c, const char *text, double a, double b, const char *file, int line);
+void grown_fail(const grown_case *c, const char *text, double a, double b, const char *file, int line);
 
-#define growth_holds(c, condition)                                                                                               \
+#define grown_holds(c, condition)                                                                                                \
     do {                                                                                                                         \
-        if (!(condition)) growth_fail((c), #condition, 0.0, 0.0, __FILE__, __LINE__);                                            \
+        if (!(condition)) grown_fail((c), #condition, 0.0, 0.0, __FILE__, __LINE__);                                             \
     } while (0)
 
 /* The same with two numbers that say why. */
-#define growth_relates(c, a, relation, b)                                                                                        \
+#define grown_relates(c, a, relation, b)                                                                                         \
     do {                                                                                                                         \
         const double relates_a = (a), relates_b = (b);                                                                           \
-        if (!(relates_a relation relates_b))                                                                                     \
-            growth_fail((c), #a " " #relation " " #b, relates_a, relates_b, __FILE__, __LINE__);                                 \
+        if (!(relates_a relation relates_b)) grown_fail((c), #a " " #relation " " #b, relates_a, relates_b, __FILE__, __LINE__); \
     } while (0)
 
 #endif

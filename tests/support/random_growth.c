@@ -14,7 +14,7 @@
 
 typedef struct maker {
     uint64_t *r;
-    growth_scene *scene;
+    grown_scene *scene;
     size_t i;
     double source_open, destination_open; /* until when no disc covers them, where that can be had */
 } maker;
@@ -198,7 +198,7 @@ static void make_capped(maker *m, tdsp_growing_disc *disc)
 /* A part that begins at b and comes near its share S of the radius in a span w: S x / (1 + x), or S x^2 / (1 + x^2) where it begins gently. */
 static void parts_law(void *ctx, double time, double *radius, double *rate)
 {
-    const growth_parts *p = ctx;
+    const grown_parts *p = ctx;
     *radius = p->radius;
     *rate = 0.0;
     for (size_t k = 0; k < p->count && time >= p->begins[k]; k++) {
@@ -210,9 +210,9 @@ static void parts_law(void *ctx, double time, double *radius, double *rate)
 
 static void make_parts(maker *m, tdsp_growing_disc *disc, int sharp, double span, double first)
 {
-    growth_parts *p = &m->scene->parts[m->i];
+    grown_parts *p = &m->scene->parts[m->i];
     double *times = m->scene->times[m->i], begin = first;
-    *p = (growth_parts){.count = 1 + (size_t)chance_below(m->r, 3), .sharp = sharp, .radius = disc->radius};
+    *p = (grown_parts){.count = 1 + (size_t)chance_below(m->r, 3), .sharp = sharp, .radius = disc->radius};
     for (size_t k = 0; k < p->count; k++) {
         if (k > 0) begin += span * chance_between(m->r, 0.2, 1.0);
         p->begins[k] = begin;
@@ -269,7 +269,7 @@ static const struct {
 #undef X
 };
 
-const char *growth_mix_name(growth_mix mix)
+const char *grown_mix_name(grown_mix mix)
 {
     return mixes[mix].name;
 }
@@ -292,7 +292,7 @@ static double steps_radius(const tdsp_growing_disc *disc, double time)
     return radius;
 }
 
-double growth_radius(const tdsp_growing_disc *disc, double time)
+double grown_radius(const tdsp_growing_disc *disc, double time)
 {
     const tdsp_growth *g = &disc->growth;
     double radius, rate;
@@ -308,10 +308,10 @@ double growth_radius(const tdsp_growing_disc *disc, double time)
 static int covers(const maker *m, const tdsp_growing_disc *disc, tdsp_point point, double time)
 {
     const double dx = point.x - disc->center.x, dy = point.y - disc->center.y;
-    return sqrt(dx * dx + dy * dy) < growth_radius(disc, time) + m->scene->journey.radius;
+    return sqrt(dx * dx + dy * dy) < grown_radius(disc, time) + m->scene->journey.radius;
 }
 
-static void choose_place(maker *m, growth_mix mix, tdsp_growing_disc *disc)
+static void choose_place(maker *m, grown_mix mix, tdsp_growing_disc *disc)
 {
     const double count = (double)m->scene->count;
     disc->center = (tdsp_point){chance_between(m->r, -0.9, 0.9), chance_between(m->r, -0.6, 0.6)};
@@ -340,7 +340,7 @@ static void choose_place(maker *m, growth_mix mix, tdsp_growing_disc *disc)
 }
 
 /* A disc that covers an end too early is drawn again, then with less said about when, and in the end made small. */
-static void make_disc(maker *m, growth_mix mix)
+static void make_disc(maker *m, grown_mix mix)
 {
     tdsp_growing_disc *disc = &m->scene->discs[m->i];
     for (int tries = 0; tries < 200; tries++) {
@@ -354,7 +354,7 @@ static void make_disc(maker *m, growth_mix mix)
     *disc = (tdsp_growing_disc){.center = {0.0, 0.4}, .radius = 0.05, .growth = {.kind = TDSP_GROWTH_RATE, .rate = 0.02}};
 }
 
-void random_growth(uint64_t seed, growth_mix mix, size_t count, growth_scene *scene)
+void random_growth(uint64_t seed, grown_mix mix, size_t count, grown_scene *scene)
 {
     uint64_t r = seed * 1000003u + 7919u * (uint64_t)mix + 1u;
     memset(scene, 0, sizeof *scene);
@@ -369,17 +369,17 @@ void random_growth(uint64_t seed, growth_mix mix, size_t count, growth_scene *sc
     }
     for (m.i = 0; m.i < count; m.i++) make_disc(&m, mix);
     if (chance(&r, 0.2)) return;
-    const growth_change change = {random_direction(&r),
-                                  {chance_between(&r, -5.0, 5.0), chance_between(&r, -5.0, 5.0)},
-                                  chance_between(&r, 0.5, 20.0),
-                                  chance_between(&r, 0.3, 10.0),
-                                  0};
-    growth_place(scene, &change);
+    const grown_change change = {random_direction(&r),
+                                 {chance_between(&r, -5.0, 5.0), chance_between(&r, -5.0, 5.0)},
+                                 chance_between(&r, 0.5, 20.0),
+                                 chance_between(&r, 0.3, 10.0),
+                                 0};
+    grown_place(scene, &change);
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- copies */
 
-static void attach(growth_scene *scene, size_t i, const growth_scene *from)
+static void attach(grown_scene *scene, size_t i, const grown_scene *from)
 {
     tdsp_growth *g = &scene->discs[i].growth;
     if (g->values) g->values = scene->values[i];
@@ -387,23 +387,23 @@ static void attach(growth_scene *scene, size_t i, const growth_scene *from)
     if (g->ctx) g->ctx = &scene->parts[i];
 }
 
-void growth_copy(const growth_scene *scene, growth_scene *copy)
+void grown_copy(const grown_scene *scene, grown_scene *copy)
 {
     *copy = *scene;
     for (size_t i = 0; i < copy->count; i++) attach(copy, i, scene);
 }
 
-static tdsp_point placed(const growth_change *c, tdsp_point a)
+static tdsp_point placed(const grown_change *c, tdsp_point a)
 {
     const double y = c->mirror ? -a.y : a.y;
     return (tdsp_point){c->shift.x + c->length * (c->turn.x * a.x - c->turn.y * y),
                         c->shift.y + c->length * (c->turn.y * a.x + c->turn.x * y)};
 }
 
-static void place_law(growth_scene *scene, size_t i, double length, double time)
+static void place_law(grown_scene *scene, size_t i, double length, double time)
 {
     tdsp_growth *g = &scene->discs[i].growth;
-    growth_parts *p = &scene->parts[i];
+    grown_parts *p = &scene->parts[i];
     double power = 1.0;
     for (size_t k = 0; k < GROWTH_MOST_VALUES; k++) {
         if (k == 0 || g->kind == TDSP_GROWTH_POLYNOMIAL) power *= time;
@@ -420,7 +420,7 @@ static void place_law(growth_scene *scene, size_t i, double length, double time)
     }
 }
 
-void growth_place(growth_scene *scene, const growth_change *change)
+void grown_place(grown_scene *scene, const grown_change *change)
 {
     tdsp_journey *j = &scene->journey;
     j->source = placed(change, j->source);

@@ -29,53 +29,53 @@
     X(CLUSTER, cluster, "overlapping discs between the ends, of all laws")                                                       \
     X(WALL, wall, "a wall whose gaps close at different times, of all laws")
 
-typedef enum growth_mix {
+typedef enum grown_mix {
 #define X(upper, lower, text) GROWTH_MIX_##upper,
     GROWTH_MIXES(X)
 #undef X
         GROWTH_MIX_COUNT
-} growth_mix;
+} grown_mix;
 
 #define GROWTH_MOST_DISCS 16
 #define GROWTH_MOST_VALUES 8
 
 /* What a law by callback goes by: `kinks` parts, each with a share of the final growth, a begin and a time constant. */
-typedef struct growth_parts {
+typedef struct grown_parts {
     size_t count;
     int sharp; /* the rate jumps where a part begins */
     double radius;
     double begins[3], shares[3], spans[3];
-} growth_parts;
+} grown_parts;
 
-typedef struct growth_scene {
+typedef struct grown_scene {
     tdsp_journey journey;
     size_t count;
     double unit; /* |sd| / speed */
     tdsp_growing_disc discs[GROWTH_MOST_DISCS];
     double values[GROWTH_MOST_DISCS][GROWTH_MOST_VALUES];
     double times[GROWTH_MOST_DISCS][GROWTH_MOST_VALUES];
-    growth_parts parts[GROWTH_MOST_DISCS];
-} growth_scene;
+    grown_parts parts[GROWTH_MOST_DISCS];
+} grown_scene;
 
-const char *growth_mix_name(growth_mix mix);
+const char *grown_mix_name(grown_mix mix);
 
 /* A scene of `count` discs, at most GROWTH_MOST_DISCS. Its discs point into it: do not copy it. */
-void random_growth(uint64_t seed, growth_mix mix, size_t count, growth_scene *scene);
+void random_growth(uint64_t seed, grown_mix mix, size_t count, grown_scene *scene);
 
 /* Its discs point into the copy. */
-void growth_copy(const growth_scene *scene, growth_scene *copy);
+void grown_copy(const grown_scene *scene, grown_scene *copy);
 
 /* The scene turned by the unit vector, mirrored before where asked, in other units of length and of time, moved. */
-typedef struct growth_change {
+typedef struct grown_change {
     tdsp_point turn;
     tdsp_point shift;
     double length, time;
     int mirror;
-} growth_change;
+} grown_change;
 
-void growth_place(growth_scene *scene, const growth_change *change);
+void grown_place(grown_scene *scene, const grown_change *change);
 
 /* The disc's radius at a time, by its definition. */
-double growth_radius(const tdsp_growing_disc *disc, double time);
+double grown_radius(const tdsp_growing_disc *disc, double time);
 
 #endif

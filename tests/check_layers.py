@@ -3,7 +3,7 @@
 
 Folders on one layer never include each other; a public header includes public headers only. The C library's headers are held
 to the layer too: below the freestanding line (layers 0 to 2) only those that a microcontroller has. An include that no rule
-speaks of is a failure: a new folder gets its layer here first.
+speaks of is a failure: a new folder gets its layer here first. And the sampler says no word about discs.
 """
 import pathlib
 import re
@@ -20,6 +20,10 @@ PUBLIC_BELOW = {"export.h", "path.h", "status.h", "table.h", "types.h"}
 FORBIDDEN = {("verify", "geom"), ("verify", "growth"), ("verify", "search"), ("build", "geom"), ("build", "growth"), ("build", "search"),
              ("margin", "geom"), ("margin", "growth"), ("margin", "search"),
              ("oracle", "geom"), ("oracle", "growth"), ("oracle", "search")}
+
+# The sampler's own words say so too, comments and all: of discs only what writes legs into a table may speak.
+DISC_WORDS = re.compile(r"(?<![A-Za-z])(discs?|circles?|tangents?|spirals?|radius|radii)(?![a-z])", re.I)
+SPEAKS_OF_DISCS = {"leg.c", "leg.h"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\b\s*(.*?)\s*$', re.M)
 
@@ -64,11 +68,20 @@ def problems(path, folder, judge):
     return [problem for problem in (judge(folder, include) for include in includes) if problem]
 
 
+def words(path):
+    """The lines of a file of the sampler that speak of discs."""
+    if path.parent.name != "build" or path.name in SPEAKS_OF_DISCS:
+        return []
+    lines = path.read_text(encoding="utf-8").split("\n")
+    found = ((number, DISC_WORDS.search(line)) for number, line in enumerate(lines, 1))
+    return [f"line {number}: the sampler knows nothing of a {match[0]}" for number, match in found if match]
+
+
 def main():
     root = pathlib.Path(__file__).resolve().parent.parent
     found = {}
     for path in sorted(p for p in (root / "src").rglob("*") if p.suffix in (".c", ".h")):
-        found[path] = problems(path, path.relative_to(root / "src").parts[0], source_edge)
+        found[path] = problems(path, path.relative_to(root / "src").parts[0], source_edge) + words(path)
     for path in sorted((root / "include" / "tdsp").glob("*.h")):
         found[path] = problems(path, "include", public_edge)
     for path, wrong in found.items():

@@ -6,8 +6,6 @@
  */
 #include "build/writer.h"
 
-#include <math.h>
-
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "base/round.h"
@@ -241,80 +239,9 @@ static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
     return writer_place_sections(out, sizes);
 }
 
-static void writer_put_point(unsigned char *p, tdsp_point point)
-{
-    bytes_put_f64(p, point.x);
-    bytes_put_f64(p + 8, point.y);
-}
-
-static void writer_put_waypoint(unsigned char *p, double time, tdsp_point place, uint32_t disc, uint32_t arc)
-{
-    bytes_put_f64(p + FORMAT_WAYPOINT_AT_TIME, time);
-    writer_put_point(p + FORMAT_WAYPOINT_AT_X, place);
-    bytes_put_u32(p + FORMAT_WAYPOINT_AT_DISC, disc);
-    bytes_put_u32(p + FORMAT_WAYPOINT_AT_ARC, arc);
-}
-
-static void writer_put_arc(unsigned char *p, const tdsp_leg *leg)
-{
-    writer_put_point(p + FORMAT_ARC_AT_CENTER, leg->center);
-    bytes_put_f64(p + FORMAT_ARC_AT_RADIUS_FROM, leg->radius_from);
-    bytes_put_f64(p + FORMAT_ARC_AT_RADIUS_TO, leg->radius_to);
-    bytes_put_f64(p + FORMAT_ARC_AT_ANGLE_FROM, leg->angle_from);
-    bytes_put_f64(p + FORMAT_ARC_AT_TURNED, copysign(leg->sweep, leg->turn));
-}
-
-static void writer_put_curve(unsigned char *p, const tdsp_leg *leg)
-{
-    writer_put_arc(p, leg);
-    bytes_put_f64(p + FORMAT_CURVE_AT_RATE_FROM, leg->rate_from);
-    bytes_put_f64(p + FORMAT_CURVE_AT_RATE_TO, leg->rate_to);
-    bytes_put_f64(p + FORMAT_CURVE_AT_BEND_FROM, leg->bend_from);
-    bytes_put_f64(p + FORMAT_CURVE_AT_BEND_TO, leg->bend_to);
-    bytes_put_f64(p + FORMAT_CURVE_AT_SPEED, leg->speed);
-}
-
-/* Where the next waypoint, arc and curve go, and their numbers. */
-typedef struct writer_cursor {
-    unsigned char *waypoint;
-    unsigned char *arc;
-    unsigned char *curve;
-    uint32_t waypoints;
-    uint32_t arcs;
-    uint32_t curves;
-} writer_cursor;
-
-static void writer_put_next(writer_cursor *at, double time, tdsp_point place, uint32_t disc, uint32_t arc)
-{
-    writer_put_waypoint(at->waypoint, time, place, disc, arc);
-    at->waypoint += FORMAT_WAYPOINT_SIZE;
-    at->waypoints++;
-}
-
-/* The number that the waypoint gets. */
-static uint32_t writer_put_ride(writer_cursor *at, const tdsp_leg *leg)
-{
-    if (leg->kind == TDSP_LEG_LINE) return FORMAT_NONE;
-    if (leg->kind == TDSP_LEG_ARC) {
-        writer_put_arc(at->arc, leg);
-        at->arc += FORMAT_ARC_SIZE;
-        return at->arcs++;
-    }
-    writer_put_curve(at->curve, leg);
-    at->curve += FORMAT_CURVE_SIZE;
-    return at->curves++;
-}
-
-static void writer_put_leg(writer_cursor *at, const tdsp_leg *leg, int with_end)
-{
-    uint32_t ride = writer_put_ride(at, leg);
-    writer_put_next(at, leg->start_time, leg->from, leg->disc, ride);
-    if (with_end) writer_put_next(at, leg->end_time, leg->to, FORMAT_NONE, FORMAT_NONE);
-}
-
 static void writer_put_paths(const writer *w, const writer_layout *layout, unsigned char *bytes)
 {
-    writer_cursor at = {.waypoint = bytes + layout->offsets[FORMAT_WAYPOINTS],
+    leg_cursor at = {.waypoint = bytes + layout->offsets[FORMAT_WAYPOINTS],
                         .arc = bytes + layout->offsets[FORMAT_ARCS],
                         .curve = bytes + layout->offsets[FORMAT_CURVES],
                         .curves = (uint32_t)w->arc_count};
@@ -322,7 +249,7 @@ static void writer_put_paths(const writer *w, const writer_layout *layout, unsig
     if (w->leg_count == 0) return;
     for (size_t row = 0; row < w->row_count; row++) {
         for (; leg < w->rows[row].leg_end; leg++) {
-            writer_put_leg(&at, &w->legs[leg], w->joint == 2 || leg + 1 == w->rows[row].leg_end);
+            leg_put(&at, &w->legs[leg], w->joint == 2 || leg + 1 == w->rows[row].leg_end);
         }
         bytes_put_u32(bytes + layout->offsets[FORMAT_FIRST_WAYPOINT] + 4 * (row + 1), at.waypoints);
     }
@@ -370,8 +297,8 @@ static tdsp_status writer_put_world(const tdsp_build_world *world, unsigned char
 {
     bytes_put_u64(bytes + FORMAT_AT_SCENE_HASH, world->scene_hash);
     bytes_put_f64(bytes + FORMAT_AT_SPEED, world->speed);
-    writer_put_point(bytes + FORMAT_AT_SOURCE, world->source);
-    writer_put_point(bytes + FORMAT_AT_DESTINATION, world->destination);
+    leg_put_point(bytes + FORMAT_AT_SOURCE, world->source);
+    leg_put_point(bytes + FORMAT_AT_DESTINATION, world->destination);
     tdsp_status status = writer_put_unit(bytes + FORMAT_AT_LENGTH_UNIT, world->length_unit);
     return status != TDSP_OK ? status : writer_put_unit(bytes + FORMAT_AT_TIME_UNIT, world->time_unit);
 }

@@ -1,6 +1,6 @@
 /*
  * Where to ask. The end of the domain is found by doubling and halving, then departures are spread over it: one at random in each of equal
- * stretches, and some beyond. Between neighbours with the steepest rise the half that rises more is taken again and again. What jumps keeps its
+ * stretches, half of them in a long domain by its logarithm, and some beyond. Between neighbours with the steepest rise the half that rises more is taken again and again. What jumps keeps its
  * rise while the stretch shrinks, and so both sides of the jump come to be known; what is smooth loses it and is left alone.
  */
 #include "oracle/forward.h"
@@ -16,6 +16,8 @@
 #define JUMPS 4
 #define JUMP_SHARE 0.125 /* of the rise that was: less is smooth */
 #define BEYOND 8         /* one departure in so many is after the last */
+#define NEAR 0.125       /* of a journey: where logarithms begin */
+#define LONG 64.0        /* of these: where they are worth it */
 
 /* ---------------------------------------------------------------------------------------------------------- asking */
 
@@ -149,10 +151,18 @@ static void spread(examiner *x, double from, double to, uint32_t count)
         (void)forward_see(x, from + (to - from) * ((i + examiner_unit(x)) / count), &s);
 }
 
-static double rise_of(const examiner *x, const seen *low, const seen *high)
+/* The same in equal stretches of the logarithm, where the domain is long beside the journeys. */
+static void spread_widely(examiner *x, double unit, double end, uint32_t count)
 {
-    double rise = high->arrival - low->arrival;
-    return x->oracle.monotone == TDSP_MONOTONE_ARRIVAL ? rise : rise - (high->departure - low->departure);
+    seen s;
+    for (uint32_t i = 0; i < count && !x->failed; i++)
+        (void)forward_see(x, unit * pow(end / unit, (i + examiner_unit(x)) / count), &s);
+}
+
+/* Of the travel time, which shows a jump of the arrival among arrivals that rise anyway. */
+static double rise_of(const seen *low, const seen *high)
+{
+    return (high->arrival - low->arrival) - (high->departure - low->departure);
 }
 
 static double comparable(const examiner *x, const seen *low, const seen *high)
@@ -165,7 +175,7 @@ int forward_jumps(const examiner *x, size_t i)
     const seen *low = &x->seen[i], *high = &x->seen[i + 1];
     if (low->status != TDSP_OK || high->status != TDSP_OK) return 0;
     int is_near = high->departure - low->departure <= examiner_blur(x, low->arrival);
-    return is_near && rise_of(x, low, high) > 4 * comparable(x, low, high);
+    return is_near && rise_of(low, high) > 4 * comparable(x, low, high);
 }
 
 /* The neighbours with the steepest rise that are not at a jump already; seen_count when nothing rises. */
@@ -177,7 +187,7 @@ static size_t steepest(const examiner *x)
         const seen *low = &x->seen[i - 1], *high = &x->seen[i];
         if (low->status != TDSP_OK || high->status != TDSP_OK) continue;
         if (high->departure - low->departure <= examiner_blur(x, low->arrival)) continue;
-        double rise = rise_of(x, low, high);
+        double rise = rise_of(low, high);
         if (rise <= fmax(most, 4 * comparable(x, low, high))) continue;
         most = rise;
         found = i - 1;
@@ -188,13 +198,13 @@ static size_t steepest(const examiner *x)
 static void close_jump(examiner *x, seen low, seen high)
 {
     seen s;
-    double rise = rise_of(x, &low, &high);
+    double rise = rise_of(&low, &high);
     for (int i = 0; i < HALVINGS; i++) {
         double middle = low.departure + (high.departure - low.departure) / 2;
         if (middle <= low.departure || middle >= high.departure || !forward_see(x, middle, &s) || s.status != TDSP_OK) return;
-        *(rise_of(x, &low, &s) > rise_of(x, &s, &high) ? &high : &low) = s;
+        *(rise_of(&low, &s) > rise_of(&s, &high) ? &high : &low) = s;
         int is_near = high.departure - low.departure <= comparable(x, &low, &high);
-        if (is_near || rise_of(x, &low, &high) < JUMP_SHARE * rise) return;
+        if (is_near || rise_of(&low, &high) < JUMP_SHARE * rise) return;
     }
 }
 
@@ -288,8 +298,11 @@ void forward_examine(examiner *x)
     double high = expand(x);
     double end = close_end(x);
     double beyond = fmin(x->options->horizon, 2 * high);
-    spread(x, 0, end, count - count / BEYOND);
+    double unit = unit_of(x) * NEAR;
+    uint32_t widely = end > LONG * unit ? count / 2 : 0;
+    spread(x, 0, end, count - count / BEYOND - widely);
     spread(x, end, beyond, count / BEYOND);
+    spread_widely(x, unit, end, widely);
     look_for_jumps(x);
     ask_again(x);
     judge_order(x);

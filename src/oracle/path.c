@@ -8,6 +8,7 @@
 
 #include "base/hash.h"
 #include "base/round.h"
+#include "table/check.h"
 
 #define JOIN_SHARE 1e-9
 #define JOIN_ROUNDING 1e-13
@@ -50,7 +51,7 @@ static int leg_is_well_formed(const tdsp_leg *leg)
     switch (leg->kind) {
     case TDSP_LEG_LINE: return has_no_ride(leg);
     case TDSP_LEG_ARC: return has_ride(leg) && has_no_curve(leg);
-    case TDSP_LEG_CURVE: return has_ride(leg) && fabs(leg->rate_from) <= leg->speed && fabs(leg->rate_to) <= leg->speed;
+    case TDSP_LEG_CURVE: return has_ride(leg) && check_curve(leg);
     default: return 0;
     }
 }

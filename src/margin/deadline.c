@@ -80,7 +80,8 @@ static tdsp_status deadline_end(deadline_state *state)
     const tdsp_limit limit = last.reason == TDSP_SOURCE_COVERED        ? TDSP_LIMIT_SOURCE_COVERED
                              : last.reason == TDSP_DESTINATION_COVERED ? TDSP_LIMIT_DESTINATION_COVERED
                                                                        : TDSP_LIMIT_GAP;
-    state->answer.witness = (tdsp_witness){limit, last.disc, last.other, last.time, last.place};
+    const int is_swapped = last.other < last.disc; /* a gap's discs are named in their order; no disc is the largest number */
+    state->answer.witness = (tdsp_witness){limit, is_swapped ? last.other : last.disc, is_swapped ? last.disc : last.other, last.time, last.place};
     return TDSP_OK;
 }
 

@@ -16,8 +16,8 @@
 /* One this near says nothing of the slope. */
 #define FLAT 1e-12
 
-/* Below this share of where the hunt began an amount counts as none. */
-#define NOTHING 1e-15
+/* Below this share of where the hunt began an amount counts as none: what so little growth does to a touch, rounding does as well. */
+#define NOTHING 1e-9
 
 /* So many steps that do not quarter the interval are followed by a halving, whatever the values say. */
 #define PATIENCE 3
@@ -183,7 +183,7 @@ static int hunt_is_done(const hunt *self, double least)
 
 tdsp_status hunt_run(hunt *self)
 {
-    const double least = NOTHING * self->hi;
+    const double least = self->lo > 0.0 ? 0.0 : NOTHING * self->hi;
     double width = INFINITY;
     tdsp_status status = TDSP_OK;
     for (int step = 0; step < MOST_STEPS && status == TDSP_OK && !hunt_is_done(self, least); step++) {
@@ -192,7 +192,7 @@ tdsp_status hunt_run(hunt *self)
             is_slow = self->hi - self->lo > 0.25 * width;
             width = self->hi - self->lo;
         }
-        status = hunt_step(self, hunt_next(self, is_slow));
+        status = hunt_step(self, fmax(hunt_next(self, is_slow), least));
     }
     return status;
 }

@@ -97,11 +97,12 @@ typedef enum tdsp_raise {
 } tdsp_raise;
 
 /**
- * The scene with all rates raised: min(x V, cap) or min(max(V + x, 0), cap), cap = TDSP_MARGIN_CAP times the robot's speed; V where V >= cap.
+ * The scene with all rates raised; of discs that grow at one rate each: min(x V, cap) or min(max(V + x, 0), cap), cap = TDSP_MARGIN_CAP times the robot's speed; V where V >= cap.
  *
  * @param amount  x: a factor, not negative; or a length per time of either sign. Infinity raises to the cap
  * @param out     a scene of its own, owned by the caller, with the same allocator; untouched on error
- * @return TDSP_OK; TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY. Cost: tdsp_scene_create(). Since 0.1.
+ * @return TDSP_OK; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a scene with growth that changes (tdsp_scene_has_rates_only()); TDSP_NO_MEMORY. Cost:
+ *         tdsp_scene_create(). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_scene_raise(const tdsp_scene *scene, tdsp_raise how, double amount, tdsp_scene **out);
 
@@ -125,7 +126,8 @@ typedef struct tdsp_margin {
  * @param departure  finite, not negative
  * @param deadline   not negative; infinity: arrive at all
  * @param out        untouched unless TDSP_OK
- * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for times too far away (TDSP_SOLVER_ERROR); TDSP_NO_MEMORY
+ * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for times too far away (TDSP_SOLVER_ERROR), and for a
+ *         scene with growth that changes; TDSP_NO_MEMORY
  *
  * `most` is safe: the search was made in the scene raised by it, and finds that arrival. No amount larger by 1e-12 of itself (for an
  * added rate: of itself plus the fastest rate below the cap) and by the solver's stated error will do. Each raised scene costs a tdsp_scene_create() and one to four
@@ -147,7 +149,7 @@ TDSP_API tdsp_status tdsp_departure_margin(const tdsp_scene *scene, tdsp_raise h
  * @param departure  looked at where there are no legs only
  * @param out        untouched unless TDSP_OK
  * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_BAD_PATH for legs that are not well formed or run backwards in time;
- *         TDSP_NOT_SUPPORTED for legs of kind TDSP_LEG_CURVE
+ *         TDSP_NOT_SUPPORTED for a scene with growth that changes, and for legs of kind TDSP_LEG_CURVE
  *
  * Only clearance is looked at: whether the legs join, and keep to the top speed, is the verifier's business. Exact on lines up to rounding; on arcs
  * among other discs a lower bound by at most a quarter of the tolerance, as a length at that time. O(legs * discs), no memory. Any thread. Since 0.1.

@@ -81,7 +81,8 @@ static tdsp_status deadline_end(deadline_state *state)
                              : last.reason == TDSP_DESTINATION_COVERED ? TDSP_LIMIT_DESTINATION_COVERED
                                                                        : TDSP_LIMIT_GAP;
     const int is_swapped = last.other < last.disc; /* a gap's discs are named in their order; no disc is the largest number */
-    state->answer.witness = (tdsp_witness){limit, is_swapped ? last.other : last.disc, is_swapped ? last.disc : last.other, last.time, last.place};
+    state->answer.witness =
+        (tdsp_witness){limit, is_swapped ? last.other : last.disc, is_swapped ? last.disc : last.other, last.time, last.place};
     return TDSP_OK;
 }
 
@@ -107,13 +108,15 @@ static tdsp_status deadline_explain(deadline_state *state)
 tdsp_status tdsp_solver_deadline(tdsp_solver *solver, double deadline, tdsp_deadline_answer *out)
 {
     if (!solver || !out) return TDSP_INVALID_ARGUMENT;
-    const tdsp_scene *scene = tdsp_solver_scene(solver);
-    const tdsp_point goal = tdsp_scene_journey(scene)->destination;
-    deadline_state state = {.solver = solver, .memory = &scene->allocator};
+    tdsp_ends ends;
+    tdsp_status status = tdsp_solver_ends(solver, &ends);
+    if (status != TDSP_OK) return status;
+    const tdsp_point goal = ends.destination;
+    deadline_state state = {.solver = solver, .memory = &tdsp_solver_scene(solver)->allocator};
     tdsp_deadline_answer *answer = &state.answer;
     *answer = (tdsp_deadline_answer){
         INFINITY, INFINITY, {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, goal}, TDSP_OK, INFINITY};
-    tdsp_status status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
+    status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
     if (status != TDSP_OK) return status;
     if (!isinf(answer->departure)) status = deadline_take_path(&state);
     if (status == TDSP_OK && state.count > 0) answer->witness.place = state.legs[state.count - 1].to;

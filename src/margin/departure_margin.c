@@ -3,6 +3,7 @@
 
 #include "margin/hunt.h"
 #include "margin/raise.h"
+#include "tdsp/growth.h"
 
 /* Beyond this parameter nothing rises any more. */
 static double most_raised(const tdsp_scene *scene, tdsp_raise how, double fastest)
@@ -99,6 +100,7 @@ tdsp_status tdsp_departure_margin(const tdsp_scene *scene, tdsp_raise how, doubl
 {
     if (!scene || !out || (how != TDSP_RAISE_FACTOR && how != TDSP_RAISE_ADDED)) return TDSP_INVALID_ARGUMENT;
     if (!(departure >= 0.0) || isinf(departure) || !(deadline >= 0.0)) return TDSP_INVALID_ARGUMENT;
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
     hunt self = {.scene = scene, .how = how, .departure = departure, .deadline = deadline, .fastest = fastest_rising(scene)};
     tdsp_margin margin = {0};
     margin.witness =

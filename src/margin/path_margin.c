@@ -6,6 +6,7 @@
 
 #include "margin/close.h"
 #include "margin/raise.h"
+#include "tdsp/growth.h"
 #include "tdsp/path.h"
 
 typedef struct path_search {
@@ -79,6 +80,7 @@ tdsp_status tdsp_path_margin(const tdsp_scene *scene, tdsp_raise how, const tdsp
     if (!scene || !out || (!legs && count > 0) || (how != TDSP_RAISE_FACTOR && how != TDSP_RAISE_ADDED))
         return TDSP_INVALID_ARGUMENT;
     if (!(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
     const tdsp_status status = path_check(legs, count);
     if (status != TDSP_OK) return status;
     const tdsp_point source = tdsp_scene_journey(scene)->source;

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "scene/scene.h" /* the allocator, nothing else */
+#include "tdsp/growth.h"
 
 double raise_cap(const tdsp_scene *scene)
 {
@@ -34,6 +35,7 @@ static int raise_known(tdsp_raise how, double amount)
 tdsp_status tdsp_scene_raise(const tdsp_scene *scene, tdsp_raise how, double amount, tdsp_scene **out)
 {
     if (!scene || !out || !raise_known(how, amount)) return TDSP_INVALID_ARGUMENT;
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
     size_t count;
     const tdsp_disc *given = tdsp_scene_discs(scene, &count);
     const tdsp_allocator *memory = &scene->allocator;

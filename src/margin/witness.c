@@ -5,6 +5,7 @@
 
 #include "margin/close.h"
 #include "scene/scene.h" /* the allocator, nothing else */
+#include "tdsp/growth.h"
 #include "tdsp/path.h"
 
 /* Touches count as simultaneous within this share of the time that the path takes. */
@@ -89,6 +90,7 @@ tdsp_status witness_gap(const tdsp_scene *scene, const tdsp_leg *legs, size_t co
     const closeness scales = close_scales(scene, legs, count);
     contact_list list = {&scene->allocator, NULL, 0, 0, TDSP_OK};
     *out = (tdsp_witness){TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, {0.0, 0.0}};
+    if (!tdsp_scene_has_rates_only(scene)) return TDSP_OK;
     for (size_t i = 0; i < count; i++) contacts_of_leg(&list, &scales, &legs[i], discs, disc_count);
     if (list.status == TDSP_OK && count > 0) witness_choose(&list, legs, count, out);
     memory_free(list.memory, list.items, list.capacity * sizeof *list.items);

@@ -49,7 +49,7 @@ def depart_gives_the_promised_keys_in_json():
     expect_equal(sorted(answer), ["prepare_seconds", "results"])
     good, bad = answer["results"]
     for one in good, bad:
-        expect_equal(sorted(one), ["arrival", "arrives", "departure", "seconds", "status"])
+        expect_equal(sorted(one), ["arrival", "arrives", "departure", "disc", "limit", "other", "place", "seconds", "status", "time"])
     expect_near(good["departure"], 5, 1e-9)
     expect_near(good["arrives"], 25, 1e-9)
     expect_equal([bad["departure"], bad["arrives"], bad["status"]], [None, None, "arrival_too_early"])

@@ -3,6 +3,7 @@
 
 #include "cli.h"
 #include "json_out.h"
+#include "margins.h"
 #include "progress.h"
 #include "scene_solver.h"
 #include "text_table.h"
@@ -15,7 +16,7 @@ static gboolean solve(const AnswerKind *kind, const SceneSolver *solver, const G
     for (guint i = 0; solved && i < times->len; i++) {
         Answer answer = {.numbers = {g_array_index(times, double, i)}};
         Stopwatch watch = stopwatch_start();
-        solved = kind->ask(solver, kind->within, &answer, error);
+        solved = kind->ask(kind, solver, &answer, error);
         answer.seconds = stopwatch_seconds(watch);
         g_array_append_val(answers, answer);
         progress_show(&progress, i + 1, times->len);
@@ -47,6 +48,7 @@ static void json_answer(JsonOut *out, const AnswerKind *kind, const Answer *answ
     for (guint k = 0; k < ANSWER_NUMBERS; k++) json_out_member_number(out, kind->names[k], answer->numbers[k]);
     if (kind->within > 0) json_out_member_number(out, "lower", answer->lower);
     json_out_member_string(out, "status", tdsp_status_name(answer->status));
+    if (kind->limits) margins_json_witness(out, &answer->witness);
     json_out_member_number(out, "seconds", answer->seconds);
     json_out_end(out, '}');
 }

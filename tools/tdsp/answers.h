@@ -5,6 +5,7 @@
 #include <glib.h>
 
 #include "scene_solver.h"
+#include "tdsp/margin.h"
 
 #define ANSWER_NUMBERS 3 /* the time asked about first */
 
@@ -13,16 +14,19 @@ typedef struct Answer {
     double lower;                   /* of an answer within a share of the best */
     tdsp_status status;
     double seconds; /* that solving took */
+    tdsp_witness witness; /* where asked for: what limits it */
 } Answer;
 
-typedef struct AnswerKind {
+typedef struct AnswerKind AnswerKind;
+struct AnswerKind {
     const char *command;
     const char *what;                  /* is asked about, for messages */
     const char *names[ANSWER_NUMBERS]; /* of the numbers, as columns and as keys */
     double within;                     /* the share; 0: exact, without a lower bound */
+    gboolean limits;                   /* answers come with what limits them */
     /* Fill in an answer whose first number is the time asked about. */
-    gboolean (*ask)(const SceneSolver *solver, double within, Answer *answer, GError **error);
-} AnswerKind;
+    gboolean (*ask)(const AnswerKind *kind, const SceneSolver *solver, Answer *answer, GError **error);
+};
 
 /* Solve argv[1], a scene, for the times in argv[2] on, and print the answers. Returns an exit status. */
 int answers_run(const AnswerKind *kind, int argc, char **argv, gboolean json, GError **error);

@@ -3,8 +3,9 @@
 #include "commands.h"
 #include "scene_solver.h"
 
-static gboolean ask(const SceneSolver *solver, double within, Answer *answer, GError **error)
+static gboolean ask(const AnswerKind *kind, const SceneSolver *solver, Answer *answer, GError **error)
 {
+    const double within = kind->within;
     double departure = answer->numbers[0], *arrival = &answer->numbers[1];
     if (!(within > 0 ? scene_solver_arrival_within(solver, departure, within, arrival, &answer->lower, &answer->status, error)
                      : scene_solver_arrival(solver, departure, arrival, &answer->status, error)))

@@ -6,6 +6,7 @@
 
 int cmd_arrive(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_depart(const CliCommand *command, int argc, char **argv, GError **error);
+int cmd_margin(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_path(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_jumps(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_envelope(const CliCommand *command, int argc, char **argv, GError **error);

@@ -24,6 +24,14 @@ static const CliCommand commands[] = {
      "Print for each arrival A the latest departure that still arrives at A or before, exactly.\n\n"
      "Example:\n  tdsp depart examples/scenes/two-discs.json 30.35 33",
      cmd_depart},
+    {"margin", "SCENE T...", "what a departure has to spare, in time and in growth",
+     "Print for each departure T: how much earlier than the deadline it arrives, how much later one may\n"
+     "leave, how far all growth rates may rise (as a factor, and as an added rate) before nobody who leaves\n"
+     "at T can arrive in time, how far before this very path is blocked, and what limits it. --path takes\n"
+     "the path from the output of `tdsp path --json`, or from a table. Exit status 1 when no T is in time.\n\n"
+     "Examples:\n  tdsp margin examples/scenes/two-discs.json 0 5 9.8 --deadline 30\n"
+     "  tdsp margin examples/scenes/two-discs.json 5 --path two-discs.tdsp",
+     cmd_margin},
     {"path", "SCENE|TABLE T", "the path of one departure, leg by leg",
      "Print the path for departure T as legs: of a scene the fastest one, of a table the path\n"
      "of the row that answers T, moved earlier. With --at only the robot's position at that time;\n"

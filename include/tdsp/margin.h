@@ -2,7 +2,7 @@
  * Deadlines and margins: when to leave at the latest and what says so, how much time is to spare, and how much faster everything may grow
  * before a plan fails.
  *
- * Derivations: docs/math.md, "Deadlines and margins".
+ * Derivations: docs/math/margins.md.
  */
 #ifndef TDSP_MARGIN_H
 #define TDSP_MARGIN_H

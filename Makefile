@@ -197,7 +197,7 @@ demo: ## the main job on a real scene: table and two pictures in build/demo
 	@tools/setup/demo.sh $(BUILD) $(DEMO_SCENE)
 
 .PHONY: pictures
-pictures: all ## draw the pictures of README.md again
+pictures: all ## draw the pictures of README.md and docs/math again
 	tools/setup/pictures.sh $(BUILD) $(DEMO_SCENE) docs/pictures
 
 # ---------------------------------------------------------------------------------------------------------------- bench
@@ -272,7 +272,7 @@ run-tests: $(TEST_RUNS) $(SCRIPT_RUNS)
 run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
 
 # Everything that is checked once and needs no variant.
-checks := runner layers functions stack links headers objects examples snippets install gates bench
+checks := runner layers functions stack links pictures headers objects examples snippets install gates bench
 check_runs := $(checks:%=$(CHECK)/%.result)
 .PHONY: run-checks
 run-checks: $(check_runs)
@@ -282,6 +282,7 @@ $(CHECK)/stack.result: ; $(RUN) $(PYTHON) tests/check_stack.py
 $(CHECK)/layers.result: ; $(RUN) $(PYTHON) tests/check_layers.py
 $(CHECK)/functions.result: ; $(RUN) $(PYTHON) tests/check_functions.py
 $(CHECK)/links.result: ; $(RUN) $(PYTHON) tests/check_links.py
+$(CHECK)/pictures.result: all ; $(RUN) tools/setup/pictures.sh --check $(BUILD) $(DEMO_SCENE) docs/pictures
 $(CHECK)/headers.result: ; $(RUN) bash -c 'tests/headers/check.sh gcc g++; a=$$?; tests/headers/check.sh $(CLANG) $(CLANGXX) || a=1; exit $$a'
 $(CHECK)/objects.result: all ; $(RUN) $(PYTHON) tests/check_objects.py $(BUILD)
 $(CHECK)/examples.result: $(EXAMPLES) ; $(RUN) tests/check_examples.sh $(BUILD)/examples

@@ -73,6 +73,7 @@ typedef struct tdsp_build_report {
     tdsp_status last_reason; /* why there is no answer after it; TDSP_HORIZON where the horizon ended it */
     double oracle_delta;    /* what earliest_arrival_within was asked for; 0: exact answers only */
     uint64_t rough_calls;   /* forward calls that were answered by a path not known to be the best */
+    uint64_t gaps;          /* jumps at rows of which the table says what closes */
 } tdsp_build_report;
 
 /**

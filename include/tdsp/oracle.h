@@ -59,6 +59,11 @@ typedef struct tdsp_oracle {
      * TDSP_OK, *departure from `after` up to `before`, and *arrives = A(*departure) with its path for path(), which are both not looked at
      * when the answer is `after` itself or infinite. For oracles that can make use of it, beside latest_departure; NULL: that is asked. */
     tdsp_status (*latest_departure_between)(void *ctx, double arrival, double after, double before, double *departure, double *arrives);
+
+    /* What closes at a jump of a table's row, which keeps it: after `departure` the travel time jumps from `before` at most to `after` at least. TDSP_OK
+     * and *out, with numbers that are finite and a `first` that is not TDSP_NO_DISC; or TDSP_NO_ANSWER. Asked when all rows are placed. NULL: tables
+     * do not tell. */
+    tdsp_status (*jump_gap)(void *ctx, double departure, double before, double after, tdsp_gap *out);
 } tdsp_oracle;
 
 /** All members to their defaults. Since 0.1. */

@@ -142,14 +142,6 @@ typedef struct tdsp_last_departure {
 /** t_last = sup { t : A(t) < infinity } and its reason. Errors as tdsp_latest_departure(). Since 0.1. */
 TDSP_API tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out);
 
-/** A gap that closes, or a place that is squeezed shut. */
-typedef struct tdsp_gap {
-    uint32_t first;   /* the two discs, first < second; both TDSP_NO_DISC where it is not known, and then the other members are 0 */
-    uint32_t second;
-    double time;      /* when the last robot to pass is touched by both */
-    tdsp_point place; /* where */
-} tdsp_gap;
-
 /**
  * What closes where A jumps: from departure + travel_before at `departure` to departure + travel_after right after it.
  *

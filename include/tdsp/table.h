@@ -50,6 +50,8 @@ typedef struct tdsp_table {
     tdsp_guide by_arrival;
     uint64_t curve_count; /* numbered behind the arcs */
     uint64_t curves;
+    uint64_t gap_count; /* of jumps */
+    uint64_t gaps;
     uint64_t reserved;
 } tdsp_table;
 
@@ -90,6 +92,7 @@ typedef struct tdsp_table_info {
     char time_unit[16];
     uint64_t guide_length; /* bytes of the guides that speed up look-ups; 0: none */
     uint64_t curves;       /* stored for legs of the kind TDSP_LEG_CURVE */
+    uint64_t gaps;         /* jumps of which the table says what closes (tdsp_jump) */
 } tdsp_table_info;
 
 /** What the header says. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */
@@ -173,10 +176,11 @@ typedef struct tdsp_jump {
     double departure; /* the last departure before the jump */
     double before;    /* T(departure), rounded up */
     double after;     /* T(departure+), rounded down */
+    tdsp_gap gap;     /* what closes there, where the table says it */
 } tdsp_jump;
 
 /** The first jump at `departure` or later, the last jump before it: TDSP_OK, TDSP_NO_ANSWER when there is none,
- * TDSP_INVALID_ARGUMENT. The end of the table is no jump. O(log rows + rows passed over). Since 0.1. */
+ * TDSP_INVALID_ARGUMENT. The end of the table is no jump. O(log rows + rows passed over + log gaps). Since 0.1. */
 TDSP_API tdsp_status tdsp_table_next_jump(const tdsp_table *table, double departure, tdsp_jump *out);
 TDSP_API tdsp_status tdsp_table_previous_jump(const tdsp_table *table, double departure, tdsp_jump *out);
 

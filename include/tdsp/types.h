@@ -69,6 +69,14 @@ typedef struct tdsp_leg {
     double speed;        /* curve: the robot's, over both rates */
 } tdsp_leg;
 
+/** A gap that closes, after which the earliest arrival jumps. */
+typedef struct tdsp_gap {
+    uint32_t first;   /* what closes: two discs of a scene, first < second, or whatever else an oracle numbers; both TDSP_NO_DISC where it is */
+    uint32_t second;  /* not known, and then the other members are 0 */
+    double time;      /* when the last robot to pass is touched by both */
+    tdsp_point place; /* where */
+} tdsp_gap;
+
 /** What an oracle promises about A(t), the earliest arrival, and T(t) = A(t) - t. */
 typedef enum tdsp_monotone {
     /* T never decreases, and a path for departure t, moved earlier, serves every earlier departure (growing discs). */

@@ -166,12 +166,14 @@ static tdsp_build_report report_of(const sampler *s, size_t length)
                                .last_departure = s->domain.last.departure,
                                .last_reason = s->domain.reason,
                                .oracle_delta = s->probe.delta,
-                               .rough_calls = s->probe.rough_calls};
+                               .rough_calls = s->probe.rough_calls,
+                               .gaps = s->gaps};
 }
 
 static tdsp_status sample_and_write(sampler *s, void **bytes, size_t *length)
 {
     tdsp_status status = place_rows(s);
+    if (status == TDSP_OK) status = sampler_ask_gaps(s, &s->gaps);
     if (status != TDSP_OK) return status;
     writer_header header = header_of(s);
     return writer_finish(s->rows.writer, &header, bytes, length);

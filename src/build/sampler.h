@@ -13,6 +13,7 @@ typedef struct sampler {
     probe probe;
     domain domain;
     rows rows;
+    uint64_t gaps; /* jumps at rows of which the oracle said what closes */
 } sampler;
 
 /* Each row as late as the guarantee allows. */
@@ -35,5 +36,8 @@ tdsp_status sampler_recall_path(probe *p, sample *s, double cap);
 
 /* The last row, and its right side. */
 tdsp_status sampler_finish(sampler *s);
+
+/* Ask what closes at each jump of a row, once all rows are written; *count receives how many were told. */
+tdsp_status sampler_ask_gaps(sampler *s, uint64_t *count);
 
 #endif

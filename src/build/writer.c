@@ -10,6 +10,7 @@
 #include "base/hash.h"
 #include "base/round.h"
 #include "base/sizes.h"
+#include "build/gap_list.h"
 #include "build/leg.h"
 #include "scene/allocator.h"
 #include "table/guide.h"
@@ -35,6 +36,7 @@ struct writer {
     uint64_t curve_count;
     uint64_t path_count; /* rows with legs */
     uint32_t joint;
+    gap_list gaps;
 };
 
 tdsp_status writer_create(const tdsp_allocator *allocator, writer **out)
@@ -56,6 +58,7 @@ void writer_free(writer *w)
     memory_free(&allocator, w->rows, w->row_capacity * sizeof *w->rows);
     memory_free(&allocator, w->legs, w->leg_capacity * sizeof *w->legs);
     memory_free(&allocator, w->bytes, w->byte_capacity);
+    gap_list_free(&w->gaps, &allocator);
     memory_free(&allocator, w, sizeof *w);
 }
 
@@ -124,6 +127,22 @@ tdsp_status writer_add(writer *w, const writer_row *row)
     if (status != TDSP_OK) return status;
     writer_append(w, row);
     return TDSP_OK;
+}
+
+tdsp_status writer_add_gap(writer *w, size_t row, const tdsp_gap *gap)
+{
+    return row < w->row_count ? gap_list_add(&w->gaps, &w->allocator, row, gap) : TDSP_INVALID_ARGUMENT;
+}
+
+size_t writer_count(const writer *w)
+{
+    return w->row_count;
+}
+
+writer_row writer_row_at(const writer *w, size_t row)
+{
+    writer_row out = {w->rows[row].departure, w->rows[row].left, w->rows[row].right, NULL, 0, NULL, 0};
+    return out;
 }
 
 /* ------------------------------------------------------------------------------------------------------- laying out */
@@ -236,6 +255,7 @@ static tdsp_status writer_lay_out(const writer *w, writer_layout *out)
     sizes[FORMAT_OPAQUE] = w->byte_count;
     writer_lay_out_guides(w, out, sizes);
     sizes[FORMAT_CURVES] = FORMAT_CURVE_SIZE * w->curve_count;
+    sizes[FORMAT_GAPS] = FORMAT_GAP_SIZE * w->gaps.count;
     return writer_place_sections(out, sizes);
 }
 
@@ -346,10 +366,11 @@ static void writer_put_guide_places(const writer_layout *layout, unsigned char *
 
 static void writer_put_further(const writer *w, const writer_layout *layout, unsigned char *bytes)
 {
-    if (layout->minor < 2) return;
-    unsigned char *curves = bytes + format_at_offset(FORMAT_CURVES);
-    bytes_put_u64(curves, layout->offsets[FORMAT_CURVES]);
-    bytes_put_u64(curves + FORMAT_FURTHER_AT_COUNT, w->curve_count);
+    const uint64_t counts[] = {w->curve_count, w->gaps.count};
+    for (size_t i = FORMAT_SECTIONS_1; i < format_sections(layout->minor); i++) {
+        bytes_put_u64(bytes + format_at_offset(i), layout->offsets[i]);
+        bytes_put_u64(bytes + format_at_offset(i) + FORMAT_FURTHER_AT_COUNT, counts[i - FORMAT_SECTIONS_1]);
+    }
 }
 
 /* The header's checksum covers the body's, so the body's is first. */
@@ -374,6 +395,7 @@ static tdsp_status writer_fill(const writer *w, const writer_header *header, con
     writer_put_guide_places(layout, bytes);
     writer_put_further(w, layout, bytes);
     for (size_t i = FORMAT_SECTIONS; i < FORMAT_SECTIONS_1; i++) writer_put_guide(w, layout, i, bytes);
+    gap_list_put(&w->gaps, bytes + layout->offsets[FORMAT_GAPS]);
     writer_seal(bytes, (size_t)layout->header, (size_t)layout->length);
     return tdsp_table_open(&check, bytes, (size_t)layout->length);
 }

@@ -62,6 +62,13 @@ void writer_free(writer *w);
  */
 tdsp_status writer_add(writer *w, const writer_row *row);
 
+/* Say what closes at the jump of a row that was added, in the order of rows. As gap_list_add(). */
+tdsp_status writer_add_gap(writer *w, size_t row, const tdsp_gap *gap);
+
+/* How many rows were added, and the numbers of one of them; its path and bytes are not handed out. */
+size_t writer_count(const writer *w);
+writer_row writer_row_at(const writer *w, size_t row);
+
 /* The finished table; free with tdsp_bytes_free() and the same allocator. The writer stays as it is. */
 tdsp_status writer_finish(const writer *w, const writer_header *header, void **bytes, size_t *length);
 

@@ -1,26 +1,42 @@
-/*
- * Jumps of the travel time.
- *
- * T(b) <= left and right <= T(b+) are rounded outward, so right over left already proves that T rises between b and the next
- * double. What is called a jump rises by more than error and resolution explain: twice the stated error once more,
- * and 2^-40 of the arrival, since right may have been taken at the next double, where a steep T has risen a little.
- */
-#include "base/round.h"
+/* Jumps of the travel time, and what closes there. */
+#include "query/jump.h"
+
 #include "query/locate.h"
 #include "tdsp/table.h"
+
+/* The first gap at `row` or later, by halving. */
+static uint64_t jump_first_gap(const tdsp_table *table, uint64_t row)
+{
+    uint64_t low = 0, high = table->gap_count;
+    while (low < high) {
+        uint64_t middle = low + (high - low) / 2;
+        if (table_gap_row(table, middle) < row)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+static tdsp_gap jump_gap(const tdsp_table *table, uint64_t row)
+{
+    tdsp_gap unknown = {TDSP_NO_DISC, TDSP_NO_DISC, 0, {0, 0}};
+    uint64_t i = jump_first_gap(table, row);
+    return i < table->gap_count && table_gap_row(table, i) == row ? table_gap(table, i) : unknown;
+}
 
 static int jump_at(const tdsp_table *table, uint64_t row, tdsp_jump *out)
 {
     double departure = table_departure(table, row);
     double left = table_left(table, row);
     double right = table_right(table, row);
-    double error = table_header_f64(table, FORMAT_AT_ERROR) * (left + table_header_f64(table, FORMAT_AT_TIME_SCALE));
-    double resolution = (departure + left) / 1099511627776.0;
-    if (!round_is_finite(right) || !(right - left > 2 * error + resolution)) return 0;
+    double error = table_header_f64(table, FORMAT_AT_ERROR);
+    if (!jump_between(departure, left, right, error, table_header_f64(table, FORMAT_AT_TIME_SCALE))) return 0;
     out->row = row;
     out->departure = departure;
     out->before = left;
     out->after = right;
+    out->gap = jump_gap(table, row);
     return 1;
 }
 

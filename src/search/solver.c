@@ -274,6 +274,11 @@ static tdsp_status oracle_last_reason(void *ctx, double departure, tdsp_status *
     return solver_last_reason(ctx, departure, reason);
 }
 
+static tdsp_status oracle_jump_gap(void *ctx, double departure, double before, double after, tdsp_gap *out)
+{
+    return tdsp_solver_gap(ctx, departure, before, after, out);
+}
+
 tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
 {
     if (!solver || !out) return TDSP_INVALID_ARGUMENT;
@@ -288,5 +293,6 @@ tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)
     out->last_reason = oracle_last_reason;
     if (!solver->growth) out->earliest_arrival_within = oracle_within;
     out->latest_departure_between = oracle_departure_between;
+    out->jump_gap = oracle_jump_gap;
     return TDSP_OK;
 }

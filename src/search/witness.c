@@ -148,8 +148,9 @@ tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, double travel
 {
     if (!solver || !out || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
     if (!(travel_before >= 0.0) || !(travel_after > travel_before) || isinf(travel_after)) return TDSP_INVALID_ARGUMENT;
-    double slack = SAME_DEPARTURE * (travel_before + solver->scene->time), found;
-    tdsp_status status = tdsp_latest_departure(solver, departure + 0.5 * (travel_before + travel_after), &found, NULL);
+    double slack = SAME_DEPARTURE * (travel_before + solver->ends.time), found, arrives;
+    double after = departure > slack ? departure - slack : -1.0, arrival = departure + 0.5 * (travel_before + travel_after);
+    tdsp_status status = solver_departure_between(solver, arrival, after, departure + slack, &found, &arrives);
     if (!tdsp_status_is_answer(status)) return status;
     if (status != TDSP_OK || fabs(found - departure) > slack || solver->passed.first == TDSP_NO_DISC) return witness_look(solver, departure, out);
     *out = solver->passed;

@@ -58,7 +58,7 @@ tdsp_status asked_begin(asked *self, tdsp_solver *solver, const tdsp_shape_optio
     if (!solver) return TDSP_INVALID_ARGUMENT;
     self->solver = solver;
     self->allocator = solver->scene->allocator;
-    self->scale = solver->scene->time;
+    self->scale = solver->ends.time;
     tdsp_shape_options_init(&self->options);
     if (options) self->options = *options;
     if (!options_good(&self->options)) return TDSP_INVALID_ARGUMENT;

@@ -10,6 +10,7 @@ int check_rows(const tdsp_table *table);
 int check_paths(const tdsp_table *table);
 int check_opaque(const tdsp_table *table);
 int check_guides(const tdsp_table *table);
+int check_gaps(const tdsp_table *table);
 
 /*
  * Are a curve's numbers in their range, and so that its polynomials have finite coefficients? Its places and the order of its times are not

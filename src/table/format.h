@@ -15,7 +15,7 @@
 #define FORMAT_MINOR 2             /* a table is written in the lowest version that has what it holds */
 #define FORMAT_HEADER_LENGTH 296   /* of version 1.0 */
 #define FORMAT_HEADER_LENGTH_1 344 /* of version 1.1, which adds guides */
-/* Of version 1.2, which adds curves; later minor versions may have more. */
+/* Of version 1.2, which adds curves and gaps; later minor versions may have more. */
 #define FORMAT_HEADER_LENGTH_2 (FORMAT_AT_FURTHER + FORMAT_FURTHER_SIZE * (FORMAT_SECTIONS_2 - FORMAT_SECTIONS_1))
 
 /* Places in the header. */
@@ -79,6 +79,7 @@ enum {
     FORMAT_BY_ARRIVAL,
     FORMAT_SECTIONS_1, /* of version 1.1 */
     FORMAT_CURVES = FORMAT_SECTIONS_1,
+    FORMAT_GAPS,
     FORMAT_SECTIONS_2 /* of version 1.2 */
 };
 
@@ -106,6 +107,14 @@ enum {
 #define FORMAT_CURVE_AT_BEND_FROM 64
 #define FORMAT_CURVE_AT_BEND_TO 72
 #define FORMAT_CURVE_AT_SPEED 80
+
+/* A gap: what closes where the travel time jumps after a row. */
+#define FORMAT_GAP_SIZE 40
+#define FORMAT_GAP_AT_ROW 0    /* u64 */
+#define FORMAT_GAP_AT_FIRST 8  /* u32 */
+#define FORMAT_GAP_AT_SECOND 12 /* u32 */
+#define FORMAT_GAP_AT_TIME 16  /* f64 */
+#define FORMAT_GAP_AT_PLACE 24 /* f64 x, y */
 
 #define FORMAT_MAX_ROW_BYTES 0x7fffffffu
 

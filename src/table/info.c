@@ -40,5 +40,6 @@ tdsp_status tdsp_table_get_info(const tdsp_table *table, tdsp_table_info *out)
     info_unit(table, FORMAT_AT_TIME_UNIT, out->time_unit);
     out->guide_length = guide_size(table->by_departure.cells) + guide_size(table->by_arrival.cells);
     out->curves = table->curve_count;
+    out->gaps = table->gap_count;
     return TDSP_OK;
 }

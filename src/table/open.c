@@ -1,7 +1,7 @@
 /*
  * Opening a table: everything is checked once, from the outside in, so that each check may rely on the ones before.
  *
- *   magic, major version, lengths -> checksums -> sections inside the bytes -> header values -> rows -> paths, opaque bytes -> guides
+ *   magic, major version, lengths -> checksums -> sections inside the bytes -> header values -> rows -> paths, opaque bytes -> guides, gaps
  */
 #include "base/bytes.h"
 #include "base/hash.h"
@@ -57,7 +57,8 @@ static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2]
     sizes[FORMAT_BY_DEPARTURE] = guide_size(table->by_departure.cells);
     sizes[FORMAT_BY_ARRIVAL] = guide_size(table->by_arrival.cells);
     if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
-    return sizes_multiply(table->curve_count, FORMAT_CURVE_SIZE, &sizes[FORMAT_CURVES]);
+    return sizes_multiply(table->curve_count, FORMAT_CURVE_SIZE, &sizes[FORMAT_CURVES]) &&
+           sizes_multiply(table->gap_count, FORMAT_GAP_SIZE, &sizes[FORMAT_GAPS]);
 }
 
 static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint64_t to)
@@ -122,6 +123,7 @@ static void open_view(tdsp_table *table, const unsigned char *bytes, size_t leng
     table->by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
     table->by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
     table->curve_count = open_count(bytes, FORMAT_CURVES);
+    table->gap_count = open_count(bytes, FORMAT_GAPS);
 }
 
 static void open_place_guide(tdsp_guide *guide, const unsigned char *section)
@@ -142,6 +144,7 @@ static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS
     table->first_byte = offsets[FORMAT_FIRST_BYTE];
     table->opaque = offsets[FORMAT_OPAQUE];
     table->curves = offsets[FORMAT_CURVES];
+    table->gaps = offsets[FORMAT_GAPS];
     open_place_guide(&table->by_departure, table->bytes + offsets[FORMAT_BY_DEPARTURE]);
     open_place_guide(&table->by_arrival, table->bytes + offsets[FORMAT_BY_ARRIVAL]);
 }
@@ -171,7 +174,7 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     open_place(&view, offsets);
     if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;
     open_span(&view);
-    if (!check_guides(&view)) return TDSP_BAD_TABLE;
+    if (!check_guides(&view) || !check_gaps(&view)) return TDSP_BAD_TABLE;
     *table = view;
     return TDSP_OK;
 }

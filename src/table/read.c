@@ -81,3 +81,21 @@ void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp
     else if (arc - table->arc_count < table->curve_count)
         table_add_curve(table, arc - table->arc_count, out);
 }
+
+static const unsigned char *table_gap_at(const tdsp_table *table, uint64_t i)
+{
+    return table->bytes + table->gaps + FORMAT_GAP_SIZE * i;
+}
+
+uint64_t table_gap_row(const tdsp_table *table, uint64_t i)
+{
+    return bytes_get_u64(table_gap_at(table, i) + FORMAT_GAP_AT_ROW);
+}
+
+tdsp_gap table_gap(const tdsp_table *table, uint64_t i)
+{
+    const unsigned char *p = table_gap_at(table, i);
+    tdsp_gap gap = {bytes_get_u32(p + FORMAT_GAP_AT_FIRST), bytes_get_u32(p + FORMAT_GAP_AT_SECOND), bytes_get_f64(p + FORMAT_GAP_AT_TIME),
+                    {bytes_get_f64(p + FORMAT_GAP_AT_PLACE), bytes_get_f64(p + FORMAT_GAP_AT_PLACE + 8)}};
+    return gap;
+}

@@ -47,6 +47,10 @@ static inline uint32_t table_header_u32(const tdsp_table *table, size_t at)
 /* Why there is no answer after the last departure. */
 tdsp_status table_last_reason(const tdsp_table *table);
 
+/* The row of gap i < table->gap_count, and the gap. */
+uint64_t table_gap_row(const tdsp_table *table, uint64_t i);
+tdsp_gap table_gap(const tdsp_table *table, uint64_t i);
+
 /* The waypoints of a row's path, first to before end. */
 typedef struct table_path {
     uint64_t first;

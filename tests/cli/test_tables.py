@@ -207,8 +207,12 @@ def info_tells_the_facts_of_the_header_and_the_jumps():
     expect_near(jump["departure"], GAP_CLOSES, 1e-6)
     expect_near(jump["before"], 20, 1e-6)
     expect_near(jump["after"], 23.7179, 1e-3)
+    expect_equal([jump["first"], jump["second"]], [0, 1])
+    expect_near(jump["time"], (3 / 0.99**0.5 - 1) / 0.1, 1e-7)
+    expect_near(jump["place"][0], 0.3 / 0.99**0.5, 1e-7)
+    expect_near(jump["size"], jump["after"] - jump["before"], 0)
     text = done("info", "t.tdsp").out
-    for fragment in ["rows", "travel, epsilon 0.02", "jumps             1", "1 m/s", "destination_covered"]:
+    for fragment in ["rows", "travel, epsilon 0.02", "jumps             1", "discs 0 and 1 close at 20.15", "1 m/s", "destination_covered"]:
         expect(fragment in text, f"no {fragment!r} in {text}")
 
 

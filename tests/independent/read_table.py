@@ -22,8 +22,8 @@ SAMPLING = {0: "adaptive", 1: "geometric"}
 REASON = {1: "source_covered", 2: "destination_covered", 3: "cut_off", 5: "horizon", 6: "outside_table", 7: "unreachable"}
 SECTIONS = ["departures", "left", "right", "first_waypoint", "waypoints", "arcs", "first_byte", "opaque"]
 GUIDES = ["guide to departures", "guide to arrivals"]
-FURTHER = ["curves"]
-HEADERS = [296, 344, 360]
+FURTHER = ["curves", "gaps"]
+HEADERS = [296, 344, 376]
 
 
 class Bad(Exception):
@@ -101,6 +101,7 @@ class Table:
         self.read_opaque()
         self.check_guide(GUIDES[0], self.departures)
         self.check_guide(GUIDES[1], [b + left for b, left in zip(self.departures, self.left)])
+        self.read_gaps()
 
     def at(self, form, offset):
         return struct.unpack_from("<" + form, self.data, offset)
@@ -169,8 +170,8 @@ class Table:
             sizes += [4 * (-(-self.cells[name] // 64) + 1) + self.cells[name] if self.cells[name] else 0 for name in GUIDES]
             places += [296, 320]
         if min(self.minor, self.known) >= 2:
-            sizes += [88 * self.items["curves"]]
-            places += [344]
+            sizes += [88 * self.items["curves"], 40 * self.items["gaps"]]
+            places += [344, 360]
         need(self.rows > 0, "rows")
         self.sections = {}
         cursor = self.header
@@ -297,6 +298,14 @@ class Table:
         counts = bytes(min(255, row - base[k // 64]) for k, row in enumerate(start))
         need(self.data[offset + 4 * len(base) + 4:][:cells] == counts, name)
 
+    def read_gaps(self):
+        """{row: (first, second, time, x, y)}"""
+        self.gaps, last = {}, -1
+        for i in range(self.items["gaps"]):
+            row, first, second, time, x, y = self.at("Q2I3d", self.sections["gaps"][0] + 40 * i)
+            need(last < row < self.rows and first != NONE and all(map(math.isfinite, (time, x, y))), "gap %d" % i)
+            self.gaps[row], last = (first, second, time, x, y), row
+
     def arrive(self, t):
         """(row, lower, upper) for a departure, or None after the last."""
         row = next((i for i, b in enumerate(self.departures) if b >= t), None)
@@ -339,7 +348,7 @@ class Table:
                 "first_departure": self.first_departure, "first_lower": self.first_lower, "last_departure": self.last_departure,
                 "length_unit": self.length_unit, "time_unit": self.time_unit, "leg_count": self.legs, "joint": self.joint,
                 "rows": rows, **({"cells": list(self.cells.values())} if self.minor else {}),
-                **({"curves": len(self.curves)} if self.minor > 1 else {})}
+                **({"curves": len(self.curves), "gaps": [[row, *gap] for row, gap in self.gaps.items()]} if self.minor > 1 else {})}
 
 
 def finite(x):

@@ -24,6 +24,12 @@ BUILDS = {"travel": ["--epsilon", "0.05"], "arrival": ["--guarantee", "arrival",
           "geometric": ["--guarantee", "arrival", "--sampling", "geometric", "--epsilon", "0.2"]}
 
 
+def gap_of(table, row):
+    """What the file says closes after a row."""
+    first, second, time, x, y = table.gaps.get(row, [None] * 5)
+    return {"first": first, "second": second, "time": time, "place": None if first is None else [x, y]}
+
+
 def tdsp(*words):
     done = subprocess.run([COMMAND, *map(str, words), "--json"], capture_output=True, text=True, check=False)
     if done.returncode not in (0, 1):
@@ -54,7 +60,8 @@ def check_info(table, file):
               "scene_hash": "%016x" % table.scene_hash, "source": list(table.source), "destination": list(table.destination),
               "first_departure": table.first_departure, "last_departure": table.last_departure, "last_reason": table.last_reason,
               "units": {"length": table.length_unit, "time": table.time_unit},
-              "jumps": [{"row": i, "departure": table.departures[i], "before": table.left[i], "after": table.right[i]}
+              "jumps": [{"row": i, "departure": table.departures[i], "before": table.left[i], "after": table.right[i],
+                         "size": table.right[i] - table.left[i], **gap_of(table, i)}
                         for i in range(table.rows) if table.jump(i)]}
     for key, expected in header.items():
         same(key, info[key], expected)

@@ -56,36 +56,60 @@ static const writer_row crowd_rows[] = {CROWD(0, 8),      CROWD(0.25, 8.5),  CRO
                                         CROWD(2, 12),     CROWD(2.25, 12.5), CROWD(2.5, 13),    CROWD(2.75, 13.5),
                                         CROWD(3, 14),     CROWD(3.25, 14.5), CROWD(3.5, 15),    {64, 16, INFINITY, NULL, 0, NULL, 0}};
 
+/* Jumps at the first three rows. */
+static const writer_row squeeze_rows[] = {
+    {0, 4, 5, NULL, 0, NULL, 0}, {1, 5.5, 8, NULL, 0, NULL, 0}, {2.5, 8, 9.25, NULL, 0, NULL, 0}, {6, 10, INFINITY, NULL, 0, NULL, 0}};
+static const gap_entry squeeze_gaps[] = {{0, {3, 7, 2.5, {0.25, -1}}}, {2, {7, 4000000000u, 6.125, {1, 0}}}};
+
 const golden_table golden_tables[GOLDEN_COUNT] = {
     {"gap",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.25, 0, 1e-11, 20, 19.75, TDSP_CUT_OFF,
       {UINT64_C(0x0123456789abcdef), 1, {-10, 0}, {10, 0}, "m", "s"}},
      gap_rows,
-     4},
+     4,
+     NULL,
+     0},
     {"road",
      {TDSP_MONOTONE_ARRIVAL, TDSP_GUARANTEE_ARRIVAL, TDSP_SAMPLING_GEOMETRIC, 1, 0, 0, 0, 4.9, TDSP_HORIZON,
       {UINT64_MAX, 0, {0, 0}, {0, 0}, NULL, "\xce\xbcs"}},
      road_rows,
-     4},
+     4,
+     NULL,
+     0},
     {"loose",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_ABSOLUTE, TDSP_SAMPLING_ADAPTIVE, 0, 0.5, 1e-9, 2, 2, TDSP_SOURCE_COVERED,
       {7, 1, {0, 0}, {2, 0}, "fifteen bytes!!", ""}},
      loose_rows,
-     3},
+     3,
+     NULL,
+     0},
     {"still",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.01, 0, 0, 0, 0, TDSP_OUTSIDE_TABLE,
       {0, 2.5, {1.5, -1.5}, {1.5, -1.5}, "km", "h"}},
      still_rows,
-     1},
+     1,
+     NULL,
+     0},
     {"crowd",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_ABSOLUTE, TDSP_SAMPLING_ADAPTIVE, 0, 4, 0, 0, 8, TDSP_DESTINATION_COVERED,
       {12, 3, {0, 1}, {20, 1}, "m", "s"}},
      crowd_rows,
-     16},
+     16,
+     NULL,
+     0},
     {"swell",
      {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE, 0.25, 0, 1e-11, 12, 11.75, TDSP_SOURCE_COVERED,
       {UINT64_C(0xfedcba9876543210), 2, {-6, 0}, {6, 0}, "m", "s"}},
      swell_rows,
+     2,
+     NULL,
+     0},
+    {"squeeze",
+     {TDSP_MONOTONE_TRAVEL, TDSP_GUARANTEE_ABSOLUTE, TDSP_SAMPLING_ADAPTIVE, 0, 8, 1e-11, 4, 4, TDSP_CUT_OFF,
+      {99, 2, {-4, 0}, {4, 0}, "m", "s"}},
+     squeeze_rows,
+     4,
+     squeeze_gaps,
      2}};
 
 static writer *golden_fill_rows(const writer_row *rows, size_t count, const tdsp_allocator *allocator)
@@ -111,7 +135,13 @@ static unsigned char *golden_finish(writer *w, const writer_header *header, size
 
 writer *golden_fill(const golden_table *golden, const tdsp_allocator *allocator)
 {
-    return golden_fill_rows(golden->rows, golden->row_count, allocator);
+    writer *w = golden_fill_rows(golden->rows, golden->row_count, allocator);
+    for (size_t i = 0; w && i < golden->gap_count; i++) {
+        if (writer_add_gap(w, golden->gaps[i].row, &golden->gaps[i].gap) == TDSP_OK) continue;
+        writer_free(w);
+        return NULL;
+    }
+    return w;
 }
 
 unsigned char *golden_write(const golden_table *golden, size_t *length)

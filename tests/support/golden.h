@@ -5,6 +5,7 @@
 #ifndef SUPPORT_GOLDEN_H
 #define SUPPORT_GOLDEN_H
 
+#include "build/gap_list.h"
 #include "build/writer.h"
 
 typedef struct golden_table {
@@ -12,9 +13,11 @@ typedef struct golden_table {
     writer_header header;
     const writer_row *rows;
     size_t row_count;
+    const gap_entry *gaps;
+    size_t gap_count;
 } golden_table;
 
-#define GOLDEN_COUNT 6
+#define GOLDEN_COUNT 7
 
 /*
  * 0 gap:   monotone in travel, lines and arcs of both turns, a jump at row 2, ends cut off
@@ -23,6 +26,7 @@ typedef struct golden_table {
  * 3 still: one row, no path, source and destination the same
  * 4 crowd: enough rows for guides (version 1.1), nearly all in a part of the time
  * 5 swell: curves beside an arc, one of no duration that turns by -0 (version 1.2; those before crowd are 1.0)
+ * 6 squeeze: two jumps whose gaps are told, one that is not, and guides and curves of nothing (version 1.2)
  */
 extern const golden_table golden_tables[GOLDEN_COUNT];
 

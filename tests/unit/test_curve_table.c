@@ -68,14 +68,14 @@ static void a_wrong_place_or_number_of_curves_is_refused(void **state)
     const struct {
         size_t at;
         uint64_t value;
-    } faults[] = {{at, 0},     {at, 744},   {at, 768},        {at, UINT64_MAX - 7},
+    } faults[] = {{at, 0},     {at, 760},   {at, 784},        {at, UINT64_MAX - 7},
                   {at + 8, 0}, {at + 8, 2}, {at + 8, 4},      {at + 8, UINT64_MAX},
                   {at + 8, UINT64_MAX / FORMAT_CURVE_SIZE + 1}, {FORMAT_AT_ARCS, 0}, {FORMAT_AT_ARCS, 2}, {FORMAT_AT_ARCS, UINT32_MAX - 2}};
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
         size_t length;
         unsigned char *bytes = swell_bytes(&length);
         tdsp_table table;
-        assert_int_equal(bytes_get_u64(bytes + at), 760);
+        assert_int_equal(bytes_get_u64(bytes + at), 776);
         bytes_put_u64(bytes + faults[i].at, faults[i].value);
         golden_seal(bytes, length);
         if (tdsp_table_open(&table, bytes, length) != TDSP_BAD_TABLE) fail_msg("fault %zu was not refused", i);

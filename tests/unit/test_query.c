@@ -114,7 +114,7 @@ static void after_the_last_departure_the_table_says_why(void **state)
 {
     (void)state;
     const tdsp_status reasons[] = {TDSP_CUT_OFF, TDSP_HORIZON, TDSP_SOURCE_COVERED, TDSP_OUTSIDE_TABLE,
-                                   TDSP_DESTINATION_COVERED, TDSP_SOURCE_COVERED};
+                                   TDSP_DESTINATION_COVERED, TDSP_SOURCE_COVERED, TDSP_CUT_OFF};
     for (size_t which = 0; which < GOLDEN_COUNT; which++) {
         double lower = 7, upper = 7;
         size_t count = 7;

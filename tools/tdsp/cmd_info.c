@@ -5,6 +5,7 @@
 #include "file_in.h"
 #include "json_out.h"
 #include "numbers.h"
+#include "shape_asked.h"
 #include "tdsp/table.h"
 #include "words.h"
 
@@ -76,6 +77,8 @@ static void json_jumps(JsonOut *out, const GArray *jumps)
         json_out_member_number(out, "departure", jump->departure);
         json_out_member_number(out, "before", jump->before);
         json_out_member_number(out, "after", jump->after);
+        json_out_member_number(out, "size", jump->after - jump->before);
+        shape_json_gap(out, &jump->gap);
         json_out_end(out, '}');
     }
     json_out_end(out, ']');
@@ -156,8 +159,19 @@ static void text_head(GString *text, const char *path, const tdsp_table_info *in
     g_string_append_printf(text, "%-18s%016" G_GINT64_MODIFIER "x\n", "scene hash", info->scene_hash);
 }
 
+/* What closes, when and where. */
+static void text_gap(GString *text, const tdsp_gap *gap, const tdsp_table_info *info)
+{
+    char time[NUMBER_ROOM], x[NUMBER_ROOM], y[NUMBER_ROOM];
+    if (gap->first == TDSP_NO_DISC) return;
+    g_autofree char *discs = shape_gap_discs(gap);
+    g_string_append_printf(text, "    discs %s close at %s%s%s, at (%s, %s)%s%s\n", discs, number_brief(time, gap->time, 10),
+                           *info->time_unit ? " " : "", info->time_unit, number_brief(x, gap->place.x, 10), number_brief(y, gap->place.y, 10),
+                           *info->length_unit ? " " : "", info->length_unit);
+}
+
 /* The first ones. */
-static void text_jumps(GString *text, const GArray *jumps)
+static void text_jumps(GString *text, const GArray *jumps, const tdsp_table_info *info)
 {
     char departure[NUMBER_ROOM], before[NUMBER_ROOM], after[NUMBER_ROOM];
     g_string_append_printf(text, "%-18s%u\n", "jumps", jumps->len);
@@ -166,6 +180,7 @@ static void text_jumps(GString *text, const GArray *jumps)
         g_string_append_printf(text, "  after departure %s the travel time jumps from %s to %s\n",
                                number_format(departure, jump->departure), number_format(before, jump->before),
                                number_format(after, jump->after));
+        text_gap(text, &jump->gap, info);
     }
     if (jumps->len > JUMPS_SHOWN) g_string_append_printf(text, "  and %u more (--json lists all)\n", jumps->len - JUMPS_SHOWN);
 }
@@ -186,7 +201,7 @@ static gboolean print_text(const char *path, const Facts *facts, GError **error)
     text_number(text, "  travel time", facts->last.left, info->time_unit);
     g_autofree char *reason = cli_reason(info->last_reason);
     g_string_append_printf(text, "  %-16s%s: %s\n", "then", tdsp_status_name(info->last_reason), reason);
-    text_jumps(text, facts->jumps);
+    text_jumps(text, facts->jumps, info);
     return cli_print(text, error);
 }
 

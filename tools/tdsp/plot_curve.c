@@ -12,6 +12,7 @@
 
 #include "cli.h"
 #include "plot_frame.h"
+#include "plot_jumps.h"
 #include "plot_labels.h"
 #include "words.h"
 
@@ -23,7 +24,6 @@
 #define MARGIN_BOTTOM 100.0
 #define FINE 0.2 /* points of the canvas that need not be told apart */
 #define OBSTACLE_EVERY 4.0
-#define MARKED_JUMP 0.012 /* of the frame's height: smaller jumps get no circles */
 
 typedef struct Curve {
     const tdsp_table *table;
@@ -117,45 +117,6 @@ static void draw_band(const Curve *curve, cairo_t *cr)
     cairo_stroke(cr);
 }
 
-static void circle(cairo_t *cr, double x, double y, gboolean filled)
-{
-    cairo_arc(cr, x, y, 3.6, 0, 2 * G_PI);
-    canvas_colour(cr, filled ? PLOT_ALARM : PLOT_PAPER);
-    cairo_fill_preserve(cr);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_set_line_width(cr, 1.6);
-    cairo_stroke(cr);
-}
-
-/* T is left-continuous: the lower end belongs to the curve, the upper one does not. */
-static void draw_jump(const Curve *curve, cairo_t *cr, const tdsp_jump *jump)
-{
-    double x = frame_x(&curve->frame, jump->departure), before = frame_y(&curve->frame, jump->before),
-           after = frame_y(&curve->frame, jump->after);
-    cairo_move_to(cr, x, before);
-    cairo_line_to(cr, x, after);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_set_line_width(cr, 1.6);
-    cairo_stroke(cr);
-    if (before - after < MARKED_JUMP * curve->frame.height) return;
-    circle(cr, x, before, TRUE);
-    circle(cr, x, after, FALSE);
-}
-
-static guint draw_jumps(const Curve *curve, cairo_t *cr)
-{
-    guint count = 0;
-    double from = 0;
-    tdsp_jump jump;
-    while (tdsp_table_next_jump(curve->table, from, &jump) == TDSP_OK) {
-        draw_jump(curve, cr, &jump);
-        count++;
-        if (jump.row + 1 >= curve->info.rows) break;
-        from = row_at(curve, jump.row + 1).departure;
-    }
-    return count;
-}
-
 static void draw_last_departure(const Curve *curve, cairo_t *cr)
 {
     static const double dashes[] = {5, 4};
@@ -206,12 +167,11 @@ static char *interval_text(const Curve *curve, double departure, double lower, d
     return g_strdup_printf("leave at %s: %s to %s", when, low, end);
 }
 
-static void mark_departure(const Curve *curve, cairo_t *cr, double departure)
+static void mark_departure(const Curve *curve, cairo_t *cr, double departure, Labels *labels)
 {
     const TextStyle style = {PLOT_TEXT, TRUE, PLOT_INK, 0, 0, TRUE};
     double lower, upper;
     if (tdsp_table_arrival(curve->table, departure, &lower, &upper) != TDSP_OK) return;
-    g_auto(Labels) labels = labels_new(&curve->frame);
     g_autofree char *text = interval_text(curve, departure, lower, upper);
     double x = frame_x(&curve->frame, departure), y = frame_y(&curve->frame, upper - departure);
     cairo_move_to(cr, x, curve->frame.top + curve->frame.height);
@@ -221,9 +181,8 @@ static void mark_departure(const Curve *curve, cairo_t *cr, double departure)
     cairo_stroke(cr);
     cairo_arc(cr, x, y, 4, 0, 2 * G_PI);
     cairo_fill(cr);
-    add_obstacles(curve, &labels);
-    labels_add_mark(&labels, x, y, 5);
-    labels_write(&labels, cr, x, y, 10, -G_PI / 2, &style, text);
+    labels_add_mark(labels, x, y, 5);
+    labels_write(labels, cr, x, y, 10, -G_PI / 2, &style, text);
 }
 
 static char *guarantee_of(const tdsp_table_info *info)
@@ -277,8 +236,8 @@ static void draw_legend(cairo_t *cr, guint jumps)
     cairo_line_to(cr, x, y - 6);
     canvas_colour(cr, PLOT_ALARM);
     cairo_stroke(cr);
-    circle(cr, x, y + 6, TRUE);
-    circle(cr, x, y - 6, FALSE);
+    plot_jump_end(cr, x, y + 6, TRUE);
+    plot_jump_end(cr, x, y - 6, FALSE);
     canvas_text(cr, x + 12, y, &style, jumped);
 }
 
@@ -295,8 +254,11 @@ gboolean plot_curve(const tdsp_table *table, const char *name, const double *dep
     frame_clip(canvas.cr, &curve.frame);
     draw_last_departure(&curve, canvas.cr);
     draw_band(&curve, canvas.cr);
-    guint jumps = draw_jumps(&curve, canvas.cr);
-    if (departure) mark_departure(&curve, canvas.cr, *departure);
+    g_auto(Labels) labels = labels_new(&curve.frame);
+    add_obstacles(&curve, &labels);
+    guint jumps = plot_jumps(canvas.cr, &curve.frame, table, &curve.info);
+    if (departure) mark_departure(&curve, canvas.cr, *departure, &labels);
+    plot_jump_labels(canvas.cr, &curve.frame, table, &curve.info, &labels);
     cairo_restore(canvas.cr);
     frame_draw_axes(canvas.cr, &curve.frame, &x, &y);
     draw_titles(&curve, canvas.cr, name);

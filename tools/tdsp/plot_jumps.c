@@ -1,0 +1,87 @@
+/* Jumps: a line from the travel time before to the one after, with an end for each where it is long enough. */
+#include "plot_jumps.h"
+
+#include "shape_asked.h"
+
+#define MARKED 0.012   /* of the frame's height: smaller jumps get no ends ... */
+#define LABELLED 0.02  /* ... and no label */
+#define MOST_LABELS 12
+
+void plot_jump_end(cairo_t *cr, double x, double y, gboolean filled)
+{
+    cairo_arc(cr, x, y, 3.6, 0, 2 * G_PI);
+    canvas_colour(cr, filled ? PLOT_ALARM : PLOT_PAPER);
+    cairo_fill_preserve(cr);
+    canvas_colour(cr, PLOT_ALARM);
+    cairo_set_line_width(cr, 1.6);
+    cairo_stroke(cr);
+}
+
+/* T is left-continuous: the lower end belongs to the curve, the upper one does not. */
+static void draw_jump(cairo_t *cr, const Frame *frame, const tdsp_jump *jump)
+{
+    double x = frame_x(frame, jump->departure), before = frame_y(frame, jump->before), after = frame_y(frame, jump->after);
+    cairo_move_to(cr, x, before);
+    cairo_line_to(cr, x, after);
+    canvas_colour(cr, PLOT_ALARM);
+    cairo_set_line_width(cr, 1.6);
+    cairo_stroke(cr);
+    if (before - after < MARKED * frame->height) return;
+    plot_jump_end(cr, x, before, TRUE);
+    plot_jump_end(cr, x, after, FALSE);
+}
+
+/* The first jump at a row after the last one; *from moves on. */
+static gboolean next_jump(const tdsp_table *table, const tdsp_table_info *info, double *from, tdsp_jump *jump)
+{
+    tdsp_row next;
+    if (*from > info->last_departure || tdsp_table_next_jump(table, *from, jump) != TDSP_OK) return FALSE;
+    gboolean more = jump->row + 1 < info->rows && tdsp_table_row(table, jump->row + 1, &next) == TDSP_OK;
+    *from = more ? next.departure : G_MAXDOUBLE;
+    return TRUE;
+}
+
+guint plot_jumps(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info)
+{
+    guint count = 0;
+    double from = 0;
+    tdsp_jump jump;
+    while (next_jump(table, info, &from, &jump)) {
+        draw_jump(cr, frame, &jump);
+        count++;
+    }
+    return count;
+}
+
+static int larger_first(gconstpointer one, gconstpointer other)
+{
+    const tdsp_jump *a = one, *b = other;
+    double difference = (b->after - b->before) - (a->after - a->before);
+    return difference > 0 ? 1 : difference < 0 ? -1 : 0;
+}
+
+static void label_jump(cairo_t *cr, const Frame *frame, const tdsp_jump *jump, const char *unit, Labels *labels)
+{
+    const TextStyle style = {PLOT_TEXT - 1, FALSE, PLOT_ALARM, 0, 0, TRUE};
+    char departure[32];
+    g_ascii_formatd(departure, sizeof departure, "%.6g", jump->departure);
+    g_autofree char *discs = shape_gap_discs(&jump->gap);
+    g_autofree char *text = jump->gap.first == TDSP_NO_DISC
+                                ? g_strdup_printf("%s%s%s", departure, *unit ? " " : "", unit)
+                                : g_strdup_printf("%s%s%s: discs %s close", departure, *unit ? " " : "", unit, discs);
+    double x = frame_x(frame, jump->departure), y = frame_y(frame, 0.5 * (jump->before + jump->after));
+    labels_write(labels, cr, x, y, 9, 0, &style, text);
+}
+
+void plot_jump_labels(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels)
+{
+    g_autoptr(GArray) jumps = g_array_new(FALSE, FALSE, sizeof(tdsp_jump));
+    double from = 0;
+    tdsp_jump jump;
+    while (next_jump(table, info, &from, &jump)) {
+        if (frame_y(frame, jump.before) - frame_y(frame, jump.after) >= LABELLED * frame->height) g_array_append_val(jumps, jump);
+    }
+    g_array_sort(jumps, larger_first);
+    for (guint i = 0; i < MIN(jumps->len, MOST_LABELS); i++)
+        label_jump(cr, frame, &g_array_index(jumps, tdsp_jump, i), info->time_unit, labels);
+}

@@ -11,7 +11,7 @@ typedef enum label_kind { LABEL_LEG, LABEL_RIDE } label_kind;
 static double label_bound(void *ctx, const tdsp_label *label)
 {
     const growth_engine *engine = ctx;
-    return label->kind == LABEL_LEG ? engine->legs[label->id].bound : engine->rides[label->id].bound;
+    return engine->question.weight * (label->kind == LABEL_LEG ? engine->legs[label->id].bound : engine->rides[label->id].bound);
 }
 
 static tdsp_status push_label(growth_engine *engine, label_kind kind, uint32_t id, double time)
@@ -70,7 +70,7 @@ tdsp_status growth_push_leg(growth_engine *engine, const growth_leg *leg)
     if (leg->disc == GROWTH_GOAL) {
         if (leg->arrive > engine->question.goal_until) return TDSP_OK;
         if (!engine->question.explain && growth_leg_is_blocked(engine, leg, &hit)) return TDSP_OK;
-        if (!engine->question.explain) tdsp_search_limit(engine->open, engine->limit = leg->arrive);
+        if (!engine->question.explain) engine->limit = leg->arrive;
     }
     tdsp_status status = leg_add(engine, leg);
     return status == TDSP_OK ? push_label(engine, LABEL_LEG, (uint32_t)(engine->leg_count - 1), leg->arrive) : status;
@@ -184,7 +184,6 @@ static tdsp_status search_step(void *ctx, const tdsp_label *label, tdsp_search *
     growth_engine *engine = self->engine;
     if (self->is_begun) return label_taken(engine, label, open, done);
     self->is_begun = 1;
-    tdsp_search_limit(open, engine->limit);
     tdsp_status status = leave_start(engine);
     for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) status = start_rides(engine, engine->members[i]);
     return status;

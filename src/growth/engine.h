@@ -55,6 +55,7 @@ typedef struct growth_question {
     double time;       /* in the direction of travel */
     double goal_until; /* the goal counts up to this time */
     double limit;      /* nothing later than this matters */
+    double weight;     /* of the bounds: 1 finds the best path, more some path sooner */
     int explain;       /* ends as soon as a disc that covers the goal by then stops a robot */
 } growth_question;
 

@@ -14,6 +14,10 @@
 #define LARGE_SHARE 3u
 #define ROUNDS 64
 
+/* More members than this are worth a scout, with bounds so heavy. */
+#define SCOUTED 24u
+#define SCOUT_WEIGHT 1.1
+
 static geom_law plain_law(const tdsp_disc *disc, law_piece *piece)
 {
     law_piece plain = {0.0, {disc->radius, disc->growth}, 1};
@@ -169,17 +173,32 @@ static uint32_t path_mend(growth_solver *self)
     return engine->member_count - before;
 }
 
+/* Among the members: where they are many, a search with heavier bounds goes ahead, whose path keeps the search for the best from looking where it cannot be. */
+static tdsp_status run(growth_solver *self, const growth_question *question)
+{
+    growth_question ask = *question;
+    if (self->engine.member_count > SCOUTED) {
+        ask.weight = SCOUT_WEIGHT;
+        tdsp_status status = growth_run(&self->engine, &ask);
+        if (status != TDSP_OK || self->engine.arrived == GROWTH_NONE) return status;
+        ask.weight = 1.0;
+        double arrives = self->engine.legs[self->engine.arrived].arrive;
+        ask.limit = fmin(ask.limit, arrives + GEOM_CONTACT * (1.0 + fabs(arrives)));
+    }
+    return growth_run(&self->engine, &ask);
+}
+
 static tdsp_status ask(growth_solver *self, const growth_question *question)
 {
     growth_engine *engine = &self->engine;
     members_clear(self);
     for (int round = 0; engine->shape_count > SMALL && round < ROUNDS && engine->member_count * LARGE_SHARE < engine->shape_count; ++round) {
         ++self->rounds;
-        tdsp_status status = growth_run(engine, question);
+        tdsp_status status = run(self, question);
         if (status != TDSP_OK || engine->arrived == GROWTH_NONE || path_mend(self) == 0) return status;
     }
     members_all(self);
-    return growth_run(engine, question);
+    return run(self, question);
 }
 
 /* A moment in the user's time is this in the frame's; the last robot may meet the disc that covers its goal. */
@@ -192,7 +211,7 @@ static double frame_until(const tdsp_scene *scene, double time)
 tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double departure, double *arrival, double *looked_until)
 {
     const tdsp_scene *scene = self->scene;
-    growth_question question = {1.0, ends->source, ends->destination, departure / scene->time, 0.0, 0.0, 0};
+    growth_question question = {1.0, ends->source, ends->destination, departure / scene->time, 0.0, 0.0, 1.0, 0};
     question.limit = question.goal_until = frame_until(scene, ends->destination_cover.time);
     tdsp_status status = ask(self, &question);
     if (status != TDSP_OK) return status;
@@ -206,7 +225,7 @@ tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double d
 tdsp_status growth_departure(growth_solver *self, const scene_ends *ends, double arrival, double *departure)
 {
     const tdsp_scene *scene = self->scene;
-    growth_question question = {-1.0, ends->destination, ends->source, -arrival / scene->time, 0.0, 0.0, 0};
+    growth_question question = {-1.0, ends->destination, ends->source, -arrival / scene->time, 0.0, 0.0, 1.0, 0};
     tdsp_status status = ask(self, &question);
     *departure = -1.0;
     if (status != TDSP_OK || self->engine.arrived == GROWTH_NONE) return status;
@@ -219,7 +238,7 @@ tdsp_status growth_explain(growth_solver *self, const scene_ends *ends, double d
 {
     const tdsp_scene *scene = self->scene;
     double cover = ends->destination_cover.time / scene->time;
-    growth_question question = {1.0, ends->source, ends->destination, departure / scene->time, INFINITY, 0.0, 1};
+    growth_question question = {1.0, ends->source, ends->destination, departure / scene->time, INFINITY, 0.0, 1.0, 1};
     question.limit = 64.0 * (1.0 + question.time + (isinf(cover) ? 0.0 : fabs(cover)));
     members_clear(self);
     members_all(self);

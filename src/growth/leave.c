@@ -15,12 +15,16 @@ typedef struct leave_target {
     uint32_t run;
     int side;
     double ahead; /* from the start: the centre's direction */
+    double reach; /* the largest radius that can be met; no goal is as far off as 0 */
+    const sight_line *ends; /* the lines at both ends of the chunk */
 } leave_target;
 
 static sight_line target_line(const leave_target *target, double at)
 {
     const growth_chunk *chunk = target->chunk;
     if (chunk) {
+        if (at == chunk->from) return target->ends[0];
+        if (at == chunk->to) return target->ends[1];
         growth_moment moment = chunk_moment(chunk, at);
         return rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment);
     }
@@ -35,20 +39,20 @@ static double target_offset(const leave_target *target, const sight_line *line)
     return point_cross(line->unit, point_sub(target->place, line->from));
 }
 
-static sight_nearest target_nearest(const leave_target *target, const sight_line *line)
+static sight_nearest target_nearest(const leave_target *target, const sight_line *line, int is_precise)
 {
-    return sight_pass(target->shape, target->engine->question.sign, line, target->run, line->start);
+    return sight_pass(target->shape, target->engine->question.sign, line, target->run, line->start, is_precise);
 }
 
 /* e, or m once a run is chosen. */
 static double target_value(const leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    return target->run == SHAPE_NONE ? target_offset(target, &line) : target_nearest(target, &line).value;
+    return target->run == SHAPE_NONE ? target_offset(target, &line) : target_nearest(target, &line, 0).value;
 }
 
-/* A root between two places with values of different sign: regula falsi with the Illinois weights, halving when that is slow. */
-static double target_root(const leave_target *target, double a, double fa, double b, double fb)
+/* A root between two places with values of different sign, or where the value is small enough: regula falsi with the Illinois weights, halving when that is slow. */
+static double target_root(const leave_target *target, double a, double fa, double b, double fb, double enough)
 {
     int last = 0;
     for (int step = 0; step < 200; ++step) {
@@ -56,7 +60,7 @@ static double target_root(const leave_target *target, double a, double fa, doubl
         if (!(at > a && at < b)) at = 0.5 * (a + b);
         if (!(at > a && at < b) || width <= 1e-16 * (fabs(a) + fabs(b))) break;
         double f = target_value(target, at);
-        if (f == 0.0) return at;
+        if (fabs(f) <= enough) return at;
         if ((f > 0.0) == (fa > 0.0)) {
             a = at;
             fa = f;
@@ -101,25 +105,38 @@ static tdsp_status push_tangent(const leave_target *target, double at)
 {
     double sign = target->engine->question.sign;
     sight_line line = target_line(target, at);
-    sight_nearest nearest = target_nearest(target, &line);
+    sight_nearest nearest = target_nearest(target, &line, 1);
     int is_within = nearest.time > run_begins(target->shape, sign, target->run) && nearest.time < run_ends(target->shape, sign, target->run);
     return nearest.time > line.start && (is_within || nearest.is_at_corner) ? target_push(target, at, nearest.time, &nearest) : TDSP_OK;
+}
+
+/* Can a run of the disc be met by whoever leaves from here on? Not the one that is ridden. */
+static int run_matters(const leave_target *target, uint32_t run, double start)
+{
+    const growth_engine *engine = target->engine;
+    double sign = engine->question.sign;
+    if (target->chunk && target->shape == target->chunk->shape && run == target->chunk->ride->run) return 0;
+    return run_ends(target->shape, sign, run) > start && run_begins(target->shape, sign, run) <= engine->limit;
+}
+
+/* The tangent between two places whose m have different signs. */
+static tdsp_status push_between(leave_target *target, double from, double a, double to, double b, int side)
+{
+    target->side = side;
+    return push_tangent(target, target_root(target, from, a, to, b, 0.0));
 }
 
 /* The tangents to all runs of a disc on a part of the chunk on which e has one sign. */
 static tdsp_status push_part(leave_target *target, double from, double to, int side)
 {
-    const growth_shape *shape = target->shape;
-    const growth_engine *engine = target->engine;
-    double sign = engine->question.sign, start = target->chunk ? chunk_moment(target->chunk, from).time : engine->question.time;
+    double start = target->chunk ? chunk_moment(target->chunk, from).time : target->engine->question.time;
     tdsp_status status = TDSP_OK;
     target->side = side;
-    for (uint32_t run = 0; run < shape->run_count && status == TDSP_OK; ++run) {
-        int is_own = target->chunk && shape == target->chunk->shape && run == target->chunk->ride->run;
-        if (is_own || run_ends(shape, sign, run) <= start || run_begins(shape, sign, run) > engine->limit) continue;
+    for (uint32_t run = 0; run < target->shape->run_count && status == TDSP_OK; ++run) {
+        if (!run_matters(target, run, start)) continue;
         target->run = run;
         double a = target_value(target, from), b = target_value(target, to);
-        if ((a < 0.0) != (b < 0.0)) status = push_tangent(target, target_root(target, from, a, to, b));
+        if ((a < 0.0) != (b < 0.0)) status = push_between(target, from, a, to, b, side);
     }
     target->run = SHAPE_NONE;
     return status;
@@ -138,16 +155,61 @@ static tdsp_status push_goal(leave_target *target, double at)
     return length >= 0.0 ? target_push(target, at, line.start + length, NULL) : TDSP_OK;
 }
 
+/* Where e is 0, or near enough to run into the disc. */
+static double centre_of(leave_target *target, double from, double a, double to, double b, double enough)
+{
+    uint32_t run = target->run;
+    target->run = SHAPE_NONE;
+    double middle = target_root(target, from, a, to, b, enough);
+    target->run = run;
+    return middle;
+}
+
+/*
+ * The tangents on a part on which e changes its sign, from a to b: m falls towards that place and rises after it, so that one end below 0 leaves one root at most. With both
+ * above there are two if m is below 0 in between.
+ */
+static tdsp_status push_across(leave_target *target, double from, double a, double to, double b)
+{
+    double start = chunk_moment(target->chunk, from).time, near = 0.25 * shape_radius(target->shape, target->engine->question.sign * start);
+    tdsp_status status = TDSP_OK;
+    for (uint32_t run = 0; run < target->shape->run_count && status == TDSP_OK; ++run) {
+        if (!run_matters(target, run, start)) continue;
+        target->run = run;
+        double first = target_value(target, from), last = target_value(target, to);
+        if (first < 0.0 && last < 0.0) continue;
+        if (first < 0.0 || last < 0.0) {
+            status = push_between(target, from, first, to, last, side_of(first < 0.0 ? b : a));
+            continue;
+        }
+        double middle = centre_of(target, from, a, to, b, near), least = target_value(target, middle);
+        if (!(least < 0.0)) {
+            middle = centre_of(target, from, a, to, b, 0.0);
+            least = target_value(target, middle);
+        }
+        if (!(least < 0.0)) continue;
+        status = push_between(target, from, first, middle, least, side_of(a));
+        if (status == TDSP_OK) status = push_between(target, middle, least, to, last, side_of(b));
+    }
+    target->run = SHAPE_NONE;
+    return status;
+}
+
 /* On a part too short to walk round the place. */
 static tdsp_status leave_part(leave_target *target, double from, double to)
 {
-    double a = target_value(target, from), b = target_value(target, to), middle = to;
+    double a = target_value(target, from), b = target_value(target, to);
     int crosses = (a > 0.0) != (b > 0.0);
-    if (crosses) middle = target_root(target, from, a, to, b);
-    if (!target->shape) return crosses ? push_goal(target, middle) : TDSP_OK;
-    tdsp_status status = push_part(target, from, middle, side_of(a));
-    if (status == TDSP_OK && crosses) status = push_part(target, middle, to, side_of(b));
-    return status;
+    if (!target->shape) return crosses ? push_goal(target, target_root(target, from, a, to, b, 0.0)) : TDSP_OK;
+    if (crosses) return push_across(target, from, a, to, b);
+    return fmin(fabs(a), fabs(b)) > target->reach ? TDSP_OK : push_part(target, from, to, side_of(a)); /* in between it is farther off still */
+}
+
+/* The radius of a disc is largest at the end of the search, or backwards in time at its beginning. */
+static double largest_radius(const growth_engine *engine, const growth_shape *shape, double start)
+{
+    if (engine->question.sign < 0.0) return shape_radius(shape, -start);
+    return isinf(engine->limit) ? INFINITY : shape_radius(shape, engine->limit);
 }
 
 /* How many parts of a chunk are each a third of the way to the place or less. */
@@ -176,13 +238,15 @@ static tdsp_status leave_for(leave_target *target)
 
 tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32_t ride)
 {
-    leave_target goal = {engine, chunk, ride, GROWTH_GOAL, NULL, engine->question.goal, SHAPE_NONE, 0, 0.0};
+    growth_moment first = chunk_moment(chunk, chunk->from), last = chunk_moment(chunk, chunk->to);
+    const sight_line ends[2] = {rider_leaves(chunk->shape, chunk->sign, chunk->ride, &first), rider_leaves(chunk->shape, chunk->sign, chunk->ride, &last)};
+    leave_target goal = {engine, chunk, ride, GROWTH_GOAL, NULL, engine->question.goal, SHAPE_NONE, 0, 0.0, 0.0, ends};
     tdsp_status status = leave_for(&goal);
     for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->members[i];
         const growth_shape *shape = engine_shape(engine, disc);
         if (shape == chunk->shape && shape->run_count == 1) continue;
-        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0};
+        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, largest_radius(engine, shape, first.time), ends};
         status = leave_for(&target);
     }
     return status;
@@ -201,12 +265,12 @@ tdsp_status leave_start(growth_engine *engine)
 {
     const growth_question *question = &engine->question;
     tdsp_point way = point_sub(question->goal, question->start);
-    leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x)};
+    leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x), 0.0, NULL};
     tdsp_status status = target_push(&goal, 0.0, question->time + point_length(way), NULL);
     for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->members[i];
         const growth_shape *shape = engine_shape(engine, disc);
-        leave_target target = {engine, NULL, GROWTH_NONE, disc, shape, shape->center, SHAPE_NONE, 0, 0.0};
+        leave_target target = {engine, NULL, GROWTH_NONE, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, INFINITY, NULL};
         status = start_for(&target);
     }
     return status;

@@ -6,6 +6,13 @@
 /* Positions are not known better than this, a length. */
 #define PLACE_ROUNDING 4e-15
 
+/* Newton's last step, of a time that is wanted itself, and of one at which only F is: its error is squared there. */
+#define PRECISE 4e-16
+#define ROUGH 1e-9
+
+/* Halving alone needs no more. */
+#define MOST_STEPS 200
+
 double run_begins(const growth_shape *shape, double sign, uint32_t run)
 {
     const shape_run *self = &shape->runs[run];
@@ -37,17 +44,21 @@ static double slope(const growth_shape *shape, double sign, const sight_line *li
     return point_dot(point_sub(line->from, shape->center), line->unit) + (time - line->start) - sign * jet.radius * jet.rate;
 }
 
-/* Where the slope, which rises, is 0 between two moments of one span; it is below 0 at `low` and not at `high`, which may be infinite. */
-static double slope_root(const growth_shape *shape, double sign, const sight_line *line, uint32_t span, double low, double high)
+/*
+ * Where the slope, which rises, is 0 between two moments of one span; it is below 0 at `low` and not at `high`, which may be infinite. Newton from the moment nearest to
+ * the centre, kept between the two.
+ */
+static double slope_root(const growth_shape *shape, double sign, const sight_line *line, uint32_t span, double low, double high, double error)
 {
-    double along = point_dot(point_sub(line->from, shape->center), line->unit), time = isinf(high) ? low + 1.0 : 0.5 * (low + high);
+    double along = point_dot(point_sub(line->from, shape->center), line->unit), time = line->start - along;
     if (shape_is_linear(shape, span)) {
         const law_piece *piece = &shape->pieces[shape->spans[span].piece];
         double rate = sign * piece->c[1], radius = piece->c[0] - piece->c[1] * piece->start;
         time = (rate * radius + line->start - along) / ((1.0 - rate) * (1.0 + rate));
         return fmax(low, fmin(time, high));
     }
-    for (int step = 0; step < 200 && low < high; ++step) {
+    if (!(time > low && time < high)) time = isinf(high) ? low + 1.0 : 0.5 * (low + high);
+    for (int step = 0; step < MOST_STEPS && low < high; ++step) {
         law_jet jet = shape_jet(shape, span, sign * time);
         double value = along + (time - line->start) - sign * jet.radius * jet.rate;
         double rise = 1.0 - (jet.rate * jet.rate + jet.radius * jet.bend);
@@ -56,8 +67,9 @@ static double slope_root(const growth_shape *shape, double sign, const sight_lin
         else
             high = time;
         double next = time - value / rise;
+        if (fabs(next - time) <= error * (1.0 + fabs(time))) return fmax(low, fmin(next, high));
         if (!(next > low && next < high)) next = isinf(high) ? low + 2.0 * (low - line->start + 1.0) : 0.5 * (low + high);
-        if (next <= low || next >= high || fabs(next - time) <= 1e-16 * (1.0 + fabs(time))) return next;
+        if (next <= low || next >= high) return next;
         time = next;
     }
     return time;
@@ -69,7 +81,7 @@ static sight_nearest nearest_at(const growth_shape *shape, double sign, const si
     return nearest;
 }
 
-sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_line *line, uint32_t run, double from)
+sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_line *line, uint32_t run, double from, int is_precise)
 {
     const shape_run *self = &shape->runs[run];
     uint32_t first = sign > 0.0 ? self->first : self->last, last = sign > 0.0 ? self->last : self->first;
@@ -80,7 +92,7 @@ sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_lin
     for (;;) {
         double high = span_ends(&shape->spans[span], sign);
         if (isinf(high) || slope(shape, sign, line, span, high) >= 0.0)
-            return nearest_at(shape, sign, line, span, slope_root(shape, sign, line, span, low, high));
+            return nearest_at(shape, sign, line, span, slope_root(shape, sign, line, span, low, high, is_precise ? PRECISE : ROUGH));
         uint32_t next = sign > 0.0 ? span + 1 : span - 1;
         int is_last = span == last;
         if (is_last || slope(shape, sign, line, next, high) >= 0.0) {
@@ -124,7 +136,7 @@ static int span_blocks(const growth_shape *shape, double sign, uint32_t span, co
 {
     double lowest = high;
     if (shape->spans[span].is_concave && slope(shape, sign, line, span, high) > 0.0) {
-        lowest = slope(shape, sign, line, span, low) >= 0.0 ? low : slope_root(shape, sign, line, span, low, high);
+        lowest = slope(shape, sign, line, span, low) >= 0.0 ? low : slope_root(shape, sign, line, span, low, high, ROUGH);
     } else if (!shape->spans[span].is_concave && is_below(shape, sign, span, line, low)) {
         lowest = low;
     }

@@ -54,8 +54,11 @@ uint32_t sight_span_at(const growth_shape *shape, double sign, double time);
 /* F of a place at a moment. */
 double sight_value(const growth_shape *shape, double sign, uint32_t span, tdsp_point place, double time);
 
-/* The least F within a run, not before `from`, which is not after the run's end. */
-sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_line *line, uint32_t run, double from);
+/*
+ * The least F within a run, not before `from`, which is not after the run's end. The value is exact to rounding even where the time is not, as F is flat there:
+ * only who needs the time itself asks for it to be precise.
+ */
+sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_line *line, uint32_t run, double from, int is_precise);
 
 /*
  * Does the motion enter the disc by `end`, deeper than a touch? *hit receives when. The runs left and met, or SHAPE_NONE, are those that the

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The reader of scene files: everything wrong is answered with the file, the place and the reason, and everything right is read rightly."""
 import json
+import pathlib
 
 from harness import TWO_DISCS, add, done, expect, expect_equal, expect_near, fails, main, scene, test, write
 
@@ -137,6 +138,41 @@ def constant_growth_may_be_written_in_four_ways():
     for growth in [0.1, [0.1], [0.1, 0, 0.0], {"times": [0], "rates": [0.1]}, {"times": [0, 5, 9], "rates": [0.1, 0.1, 0.1]}]:
         content = with_member(discs=[{**disc, "growth": growth} for disc in TWO_DISCS["discs"]])
         expect_equal(arrival(content), wanted, str(growth))
+
+
+@test
+def growth_that_changes_with_time_is_solved():
+    slow, fast = (arrival(with_member(discs=[{**disc, "growth": rate} for disc in TWO_DISCS["discs"]])) for rate in (0.1, 0.15))
+    for growth in [[0.1, 0.001], [0.11, -1e-6], {"times": [0, 5, 20], "rates": [0.1, 0.11, 0.12]}]:
+        content = with_member(discs=[{**disc, "growth": growth} for disc in TWO_DISCS["discs"]])
+        expect(slow < arrival(content) < fast, f"{growth}: {arrival(content)} is not between {slow} and {fast}")
+
+
+@test
+def a_rate_that_changes_after_the_arrival_changes_nothing():
+    wanted = arrival(json.dumps(TWO_DISCS))
+    content = with_member(discs=[{**disc, "growth": {"times": [0, 1000], "rates": [0.1, 0.2]}} for disc in TWO_DISCS["discs"]])
+    expect_near(arrival(content), wanted, 1e-10 * wanted)
+
+
+@test
+def a_question_that_needs_a_shrinking_radius_is_refused_with_disc_and_time():
+    file = write("late.json", with_member(discs=[{"center": [0, -3], "radius": 1, "growth": [0.05, -0.0001]}]))
+    reason = "late.json: discs[0].growth: the radius shrinks after t = 250, and this question reaches beyond"
+    expect_equal(done("arrive", file, 0).rows()[0][3], "ok")
+    fails(3, [reason], "arrive", file, 300)
+    fails(3, [reason], "arrive", file, 0, 249)
+    fails(3, [reason], "path", file, 300)
+    fails(3, [reason], "plot", file, "--depart", 300, "-o", "late.svg")
+    fails(3, [reason], "depart", file, 300)
+    fails(3, [reason], "build", file, "--horizon", 300, "-o", "late.tdsp")
+    expect_equal(sorted(path.name for path in pathlib.Path().iterdir()), ["late.json"])
+
+
+@test
+def unknown_keys_in_growth_are_warned_of():
+    file = write("scene.json", with_disc(growth={"times": [0], "rates": [0.1], "unit": "m/s"}))
+    expect("scene.json: discs[].growth.unit: unknown key ignored" in done("arrive", file, 0).err, "no warning")
 
 
 @test

@@ -52,7 +52,7 @@ gboolean shape_asked_done(ShapeAsked *asked, tdsp_status status, GError **error)
         return cli_fail(error, CLI_USAGE, "no disc ever ends the departures of this scene: say how far to go with --horizon H");
     if (status == TDSP_INVALID_ARGUMENT && asked->options.least > 0)
         return cli_fail(error, CLI_USAGE, "--least \"%s\": less than a thousand-millionth of the longest travel time", asked->fineness);
-    return cli_fail_status(error, "solver", status);
+    return scene_solver_fail(&asked->solver, status, error);
 }
 
 void shape_json_gap(JsonOut *out, const tdsp_gap *gap)

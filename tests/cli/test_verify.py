@@ -166,6 +166,46 @@ def broken_path_files_are_refused_with_the_place():
     fails(3, ["bad.json:1:"], "verify", "scene.json", write("bad.json", "{"))
 
 
+GROWING = [{"center": [0, 3], "radius": 1, "growth": 0.1}, {"center": [-3, -1], "radius": 1, "growth": [0.1, 0.004]},
+           {"center": [5, 1.5], "radius": 0.2, "growth": {"times": [0, 5, 12], "rates": [0.1, 0.3, 0.02]}}]
+
+
+@test
+def paths_and_tables_among_discs_whose_rates_change_pass():
+    scene(discs=GROWING)
+    legs = json.loads(pathlib.Path(path_file(4)).read_text())["legs"]
+    expect(any("rates" in leg for leg in legs), "no curve in the path")
+    expect(done("verify", "scene.json", "p.json", "--deep", 1, "--json").json["ok"], "a good path was refused")
+    done("build", "scene.json", "-o", "t.tdsp", "--horizon", 5)
+    verdict = done("verify", "scene.json", "t.tdsp", "--deep", 3, "--json").json
+    expect(verdict["ok"] and -1e-8 < verdict["min_clearance"] < 1e-6, verdict)
+    expect(done("verify", "scene.json", path_file(3.9, of="t.tdsp"), "--json").json["ok"], "the path of a table was refused")
+
+
+@test
+def a_curve_with_a_wrong_number_is_found():
+    scene(discs=GROWING)
+
+    def spoil(key, change):
+        def spoilt(path):
+            curve = next(leg for leg in path["legs"] if "rates" in leg)
+            curve[key] = curve[key] + change if key in ("sweep", "speed") else [curve[key][0] + change, curve[key][1]]
+        return damaged(spoilt, departure=4)
+    for key in ("radii", "rates", "bends", "sweep", "speed", "center"):
+        for change in (-1e-3, 1e-3):
+            spoil(key, change)
+    expect("faster" in spoil("sweep", 0.05) or "well formed" in spoil("sweep", 0.05), "sweep")
+
+
+@test
+def a_path_into_a_disc_that_has_grown_faster_is_found():
+    scene(discs=GROWING)
+    path_file(4)
+    faster = [dict(GROWING[1], growth=[0.1, 0.00401])]
+    verdict = done("verify", scene("faster.json", discs=GROWING[:1] + faster + GROWING[2:]), "p.json", "--json", status=1).json
+    expect("enters a disc" in " ".join(verdict["problems"]) and verdict["disc"] == 1, verdict)
+
+
 @test
 def a_full_lap_and_more_is_read_back():
     """Around a static disc from inside a ring: the number of laps is not in the file, the times tell it."""

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tdsp/growth.h"
 #include "tdsp/path_json.h"
 #include "tdsp/verify.h"
 
@@ -18,13 +19,25 @@ static void fuzz_require(int holds)
     if (!holds) abort();
 }
 
+/* One disc of one rate, one whose rate rises, one whose rate jumps. */
+static tdsp_scene *fuzz_scene(void)
+{
+    static const double powers[] = {0.1, 0.004}, times[] = {0.0, 5.0, 12.0}, rates[] = {0.1, 0.3, 0.02};
+    const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
+    const tdsp_growing_disc discs[] = {
+        {{0.0, 3.0}, 1.0, {.kind = TDSP_GROWTH_RATE, .rate = 0.1}},
+        {{-3.0, -1.0}, 1.0, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = powers}},
+        {{5.0, 1.5}, 0.2, {.kind = TDSP_GROWTH_RATES, .count = 3, .values = rates, .times = times}},
+    };
+    tdsp_scene *scene = NULL;
+    fuzz_require(tdsp_scene_create_growing(&journey, discs, 3, NULL, &scene) == TDSP_OK);
+    return scene;
+}
+
 static void fuzz_judge(const PathFile *path)
 {
-    const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
-    const tdsp_disc discs[] = {{{0.0, 3.0}, 1.0, 0.1}, {{0.0, -3.0}, 1.0, 0.1}};
-    tdsp_scene *scene = NULL;
+    tdsp_scene *scene = fuzz_scene();
     tdsp_verdict verdict;
-    fuzz_require(tdsp_scene_create(&journey, discs, 2, NULL, &scene) == TDSP_OK);
     tdsp_status status = tdsp_verify_path(scene, (const tdsp_leg *)(const void *)path->legs->data, path->legs->len, path->departure,
                                           path->arrival, &verdict);
     fuzz_require(status == TDSP_OK || status == TDSP_INVALID_ARGUMENT || status == TDSP_NO_MEMORY);

@@ -22,6 +22,9 @@ COMMAND = os.environ.get("TDSP", str(ROOT / "build" / "tdsp"))
 BUILDS = {"travel": ["--epsilon", "0.05"], "arrival": ["--guarantee", "arrival", "--epsilon", "0.1"],
           "absolute": ["--guarantee", "absolute", "--delta", "20"],
           "geometric": ["--guarantee", "arrival", "--sampling", "geometric", "--epsilon", "0.2"]}
+GROWING = {"robot": {"speed": 1}, "source": [-10, 0], "destination": [10, 0],
+           "discs": [{"center": [0, 3], "radius": 1, "growth": 0.1}, {"center": [-3, -1], "radius": 1, "growth": [0.1, 0.004]},
+                     {"center": [5, 1.5], "radius": 0.2, "growth": {"times": [0, 5, 12], "rates": [0.1, 0.3, 0.02]}}]}
 
 
 def gap_of(table, row):
@@ -122,7 +125,9 @@ def main():
     failed = 0
     scenes = [ROOT / "examples" / "scenes" / name for name in ("two-discs.json", "fire-oregon-c.json")]
     with tempfile.TemporaryDirectory() as directory:
-        for scene in scenes:
+        growing = pathlib.Path(directory) / "growing.json"
+        growing.write_text(json.dumps(GROWING), encoding="utf-8")
+        for scene in scenes + [growing]:
             for name, words in BUILDS.items():
                 text = "%s, %s: the command and the second reader agree" % (scene.stem, name)
                 try:

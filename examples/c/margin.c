@@ -26,9 +26,11 @@ static void print_latest(tdsp_solver *solver, double deadline)
 {
     tdsp_deadline_answer latest;
     must(tdsp_solver_deadline(solver, deadline, &latest));
-    printf("in the zone by minute %.0f: leave by %.2f, limited by %s", deadline, latest.departure, tdsp_limit_name(latest.witness.limit));
+    printf("in the zone by minute %.0f: leave by %.2f, limited by %s", deadline, latest.departure,
+           tdsp_limit_name(latest.witness.limit));
     if (latest.witness.limit == TDSP_LIMIT_GAP)
-        printf(" (fronts %u and %u at minute %.2f)", (unsigned)latest.witness.disc, (unsigned)latest.witness.other, latest.witness.time);
+        printf(" (fronts %u and %u at minute %.2f)", (unsigned)latest.witness.disc, (unsigned)latest.witness.other,
+               latest.witness.time);
     printf("\n");
 }
 
@@ -39,8 +41,8 @@ static void print_trigger(const tdsp_scene *scene, tdsp_solver *solver, double d
     must(tdsp_solver_slack(solver, departure, deadline, &slack));
     must(tdsp_departure_margin(scene, TDSP_RAISE_FACTOR, departure, deadline, &factor));
     must(tdsp_departure_margin(scene, TDSP_RAISE_ADDED, departure, deadline, &added));
-    printf("leave at %3.0f: %5.2f min to spare, rates may rise %.3f-fold or by %.2f m/min: %s\n", departure, slack.later, factor.most, added.most,
-           factor.most < FORECAST_ERROR ? "go now" : "may wait");
+    printf("leave at %3.0f: %5.2f min to spare, rates may rise %.3f-fold or by %.2f m/min: %s\n", departure, slack.later,
+           factor.most, added.most, factor.most < FORECAST_ERROR ? "go now" : "may wait");
 }
 
 int main(void)

@@ -58,7 +58,7 @@ typedef struct tdsp_deadline_answer {
  * @param out       untouched unless TDSP_OK
  * @return as tdsp_latest_departure(). tdsp_solver_path() hands out the path of the latest departure.
  *
- * Where A is continuous it costs what tdsp_latest_departure() does; at a jump two arrivals more, at the end of all departures another
+ * Where A is continuous it costs what tdsp_latest_departure() does; at a jump two arrivals and a tdsp_solver_gap() more, at the end of all departures another
  * tdsp_solver_last_departure(). One thread at a time for a solver. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_solver_deadline(tdsp_solver *solver, double deadline, tdsp_deadline_answer *out);
@@ -97,12 +97,14 @@ typedef enum tdsp_raise {
 } tdsp_raise;
 
 /**
- * The scene with all rates raised; of discs that grow at one rate each: min(x V, cap) or min(max(V + x, 0), cap), cap = TDSP_MARGIN_CAP times the robot's speed; V where V >= cap.
+ * The scene with all rates raised: min(x V, cap) or min(max(V + x, 0), cap), cap = TDSP_MARGIN_CAP times the robot's speed; V where V >= cap. Where a
+ * disc's rate changes at given times, each of its rates. Growth that bends (polynomials, and laws by callback, which are followed by such) is raised as a whole and
+ * without the cap: with R_0 the radius at time 0, to R_0 + x (R(t) - R_0), or to R(t) + x t. Up to tdsp_scene_valid_until() as before.
  *
  * @param amount  x: a factor, not negative; or a length per time of either sign. Infinity raises to the cap
  * @param out     a scene of its own, owned by the caller, with the same allocator; untouched on error
- * @return TDSP_OK; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a scene with growth that changes (tdsp_scene_has_rates_only()); TDSP_NO_MEMORY. Cost:
- *         tdsp_scene_create(). Since 0.1.
+ * @return TDSP_OK; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED where growth bends and x is infinite or a negative length per time; TDSP_NO_MEMORY. Cost: that
+ *         of making the scene. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_scene_raise(const tdsp_scene *scene, tdsp_raise how, double amount, tdsp_scene **out);
 
@@ -126,12 +128,13 @@ typedef struct tdsp_margin {
  * @param departure  finite, not negative
  * @param deadline   not negative; infinity: arrive at all
  * @param out        untouched unless TDSP_OK
- * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for times too far away (TDSP_SOLVER_ERROR), and for a
- *         scene with growth that changes; TDSP_NO_MEMORY
+ * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for times too far away (TDSP_SOLVER_ERROR), and for
+ *         an added rate where growth bends and the departure fails as it is; TDSP_SHRINKS; TDSP_NO_MEMORY
  *
  * `most` is safe: the search was made in the scene raised by it, and finds that arrival. No amount larger by 1e-12 of itself (for an
  * added rate: of itself plus the fastest rate below the cap) and by the solver's stated error will do. Each raised scene costs a tdsp_scene_create() and one to four
- * searches; some ten are needed. Any thread. Since 0.1.
+ * searches; ten to twenty are needed. Where growth bends, factors up to 2^20 are
+ * looked at, and `most` is infinite when none does harm. Any thread. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_departure_margin(const tdsp_scene *scene, tdsp_raise how, double departure, double deadline,
                                            tdsp_margin *out);

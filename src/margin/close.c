@@ -36,17 +36,17 @@ closeness close_scales(const tdsp_scene *scene, const tdsp_leg *legs, size_t cou
  * of the disc made smaller is inside. Anything between is a touch, of just the rate that the disc has: rounding must not make a plan look worse
  * than it is.
  */
-close_call close_look(const closeness *scales, const way *leg, const tdsp_disc *disc)
+touch close_look(const closeness *scales, const way *leg, const tdsp_disc *disc)
 {
     const double radius = disc->radius + scales->robot, rate = disc->growth;
     const double magnitude = fmax(place_magnitude(disc->center), radius + rate * leg->leg->end_time);
     const double tolerance = scales->tolerance + TDSP_VERIFY_ROUNDING * fmax(magnitude - scales->magnitude, 0.0);
     const double resolution = FINE_SHARE * tolerance;
     const touch larger = touch_of(leg, disc->center, radius + tolerance, resolution);
-    if (larger.rate > rate) return (close_call){CLOSE_CLEAR, touch_of(leg, disc->center, radius, resolution)};
+    if (larger.rate > rate) return touch_of(leg, disc->center, radius, resolution);
     const touch smaller = touch_of(leg, disc->center, radius - tolerance, resolution);
-    if (smaller.rate < rate) return (close_call){CLOSE_INSIDE, smaller};
-    return (close_call){CLOSE_TOUCH, {rate, larger.time}};
+    if (smaller.rate < rate) return smaller;
+    return (touch){rate, larger.time};
 }
 
 int close_is_far(const closeness *scales, const way *leg, const tdsp_disc *disc, double rate)

@@ -19,17 +19,11 @@ typedef struct closeness {
 
 closeness close_scales(const tdsp_scene *scene, const tdsp_leg *legs, size_t count);
 
-/* How a leg stands to a disc that grows at its rate. */
-typedef enum close_kind { CLOSE_CLEAR, CLOSE_TOUCH, CLOSE_INSIDE } close_kind;
-
-typedef struct close_call {
-    close_kind kind;
-    touch
-        touch; /* the fastest disc there that the leg is clear of: a touch is one of the disc's own rate. Of a leg that is inside by more than
-                    the tolerance: clear but for the tolerance */
-} close_call;
-
-close_call close_look(const closeness *scales, const way *leg, const tdsp_disc *disc);
+/*
+ * The fastest disc there that the leg is clear of. Where it touches the disc as that is, that is just the disc's rate; where it is inside by more than the
+ * tolerance, it is clear but for the tolerance.
+ */
+touch close_look(const closeness *scales, const way *leg, const tdsp_disc *disc);
 
 /* Is the leg certainly clear, and more than a touch away, up to its end, when the disc grows at this rate? Cheap. */
 int close_is_far(const closeness *scales, const way *leg, const tdsp_disc *disc, double rate);

@@ -2,13 +2,12 @@
  * The latest departure for a deadline, and why no later one is in time.
  *
  * A is strictly increasing and left-continuous. When the latest departure arrives at the deadline itself, A is continuous enough there: the deadline
- * is the limit. When it arrives earlier, A jumps over the deadline right after it, or ends: the search for a moment later tells which, and what the
- * path of the latest departure touches tells where (witness.h).
+ * is the limit. When it arrives earlier, A jumps over the deadline right after it, or ends: the search for a moment later tells which. Only the public
+ * solver is asked: it serves every law of growth.
  */
 #include <math.h>
 
-#include "margin/witness.h"
-#include "scene/scene.h" /* the allocator and the unit of time, nothing else */
+#include "scene/scene.h" /* the unit of time, nothing else */
 #include "tdsp/margin.h"
 
 /* An arrival this near to the deadline, relative to the journey and to the time itself, is at the deadline. */
@@ -34,13 +33,10 @@ const char *tdsp_limit_name(tdsp_limit limit)
     return "unknown";
 }
 
-/* A question under way, with the path of the latest departure. */
+/* A question under way. */
 typedef struct deadline_state {
     tdsp_solver *solver;
-    const tdsp_allocator *memory;
     tdsp_deadline_answer answer;
-    tdsp_leg *legs;
-    size_t count;
 } deadline_state;
 
 static double share_of(const deadline_state *state, double share, double rounding)
@@ -50,39 +46,38 @@ static double share_of(const deadline_state *state, double share, double roundin
     return share * (unit + answer->arrival - answer->departure) + rounding * answer->arrival;
 }
 
-static tdsp_status deadline_take_path(deadline_state *state)
+/* The gap that closes where A jumps to answer.after_arrival at the departure `after`. */
+static tdsp_status deadline_gap(deadline_state *state, double after)
 {
-    tdsp_status status = tdsp_solver_path(state->solver, NULL, 0, &state->count);
-    if (status != TDSP_BUFFER_TOO_SMALL) return status;
-    state->legs = memory_array(state->memory, state->count, sizeof *state->legs);
-    if (!state->legs) return TDSP_NO_MEMORY;
-    return tdsp_solver_path(state->solver, state->legs, state->count, &state->count);
+    tdsp_deadline_answer *answer = &state->answer;
+    tdsp_gap gap;
+    const double travel_before = answer->arrival - answer->departure, travel_after = answer->after_arrival - after;
+    tdsp_status status = TDSP_NO_ANSWER;
+    answer->witness.limit = TDSP_LIMIT_JUMP;
+    answer->witness.time = answer->departure;
+    if (travel_after > travel_before)
+        status = tdsp_solver_gap(state->solver, answer->departure, travel_before, travel_after, &gap);
+    if (status == TDSP_NO_ANSWER) return TDSP_OK;
+    if (status == TDSP_OK) answer->witness = (tdsp_witness){TDSP_LIMIT_GAP, gap.first, gap.second, gap.time, gap.place};
+    return status;
 }
 
-/* The gap that the path passes last, where one is found; else what is known without it. */
-static tdsp_status deadline_gap(deadline_state *state, tdsp_limit otherwise)
+static tdsp_limit limit_of(const tdsp_last_departure *last)
 {
-    tdsp_witness gap;
-    const tdsp_status status = witness_gap(tdsp_solver_scene(state->solver), state->legs, state->count, &gap);
-    if (status != TDSP_OK) return status;
-    state->answer.witness.limit = otherwise;
-    if (gap.limit == TDSP_LIMIT_GAP) state->answer.witness = gap;
-    return TDSP_OK;
+    if (last->reason == TDSP_SOURCE_COVERED) return TDSP_LIMIT_SOURCE_COVERED;
+    if (last->reason == TDSP_DESTINATION_COVERED) return TDSP_LIMIT_DESTINATION_COVERED;
+    return last->other == TDSP_NO_DISC ? TDSP_LIMIT_CUT_OFF : TDSP_LIMIT_GAP;
 }
 
 /* There is no way any more. */
 static tdsp_status deadline_end(deadline_state *state)
 {
     tdsp_last_departure last;
-    tdsp_status status = tdsp_solver_last_departure(state->solver, &last);
+    const tdsp_status status = tdsp_solver_last_departure(state->solver, &last);
     if (status != TDSP_OK) return status;
-    if (last.reason == TDSP_CUT_OFF && last.other == TDSP_NO_DISC) return deadline_gap(state, TDSP_LIMIT_CUT_OFF);
-    const tdsp_limit limit = last.reason == TDSP_SOURCE_COVERED        ? TDSP_LIMIT_SOURCE_COVERED
-                             : last.reason == TDSP_DESTINATION_COVERED ? TDSP_LIMIT_DESTINATION_COVERED
-                                                                       : TDSP_LIMIT_GAP;
     const int is_swapped = last.other < last.disc; /* a gap's discs are named in their order; no disc is the largest number */
-    state->answer.witness =
-        (tdsp_witness){limit, is_swapped ? last.other : last.disc, is_swapped ? last.disc : last.other, last.time, last.place};
+    const uint32_t first = is_swapped ? last.other : last.disc, second = is_swapped ? last.disc : last.other;
+    state->answer.witness = (tdsp_witness){limit_of(&last), first, second, last.time, last.place};
     return TDSP_OK;
 }
 
@@ -92,7 +87,7 @@ static tdsp_status deadline_look_after(deadline_state *state)
     tdsp_deadline_answer *answer = &state->answer;
     const double after = answer->departure + share_of(state, MOMENT, MOMENT_ROUNDING);
     answer->after = tdsp_earliest_arrival(state->solver, after, &answer->after_arrival);
-    if (answer->after == TDSP_OK) return deadline_gap(state, TDSP_LIMIT_JUMP);
+    if (answer->after == TDSP_OK) return deadline_gap(state, after);
     return tdsp_status_is_answer(answer->after) ? deadline_end(state) : answer->after;
 }
 
@@ -107,26 +102,21 @@ static tdsp_status deadline_explain(deadline_state *state)
 
 tdsp_status tdsp_solver_deadline(tdsp_solver *solver, double deadline, tdsp_deadline_answer *out)
 {
-    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
     tdsp_ends ends;
+    if (!solver || !out) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = tdsp_solver_ends(solver, &ends);
     if (status != TDSP_OK) return status;
-    const tdsp_point goal = ends.destination;
-    deadline_state state = {.solver = solver, .memory = &tdsp_solver_scene(solver)->allocator};
+    const tdsp_witness none = {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, ends.destination};
+    deadline_state state = {solver, {INFINITY, INFINITY, none, TDSP_OK, INFINITY}};
     tdsp_deadline_answer *answer = &state.answer;
-    *answer = (tdsp_deadline_answer){
-        INFINITY, INFINITY, {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, goal}, TDSP_OK, INFINITY};
     status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
     if (status != TDSP_OK) return status;
-    if (!isinf(answer->departure)) status = deadline_take_path(&state);
-    if (status == TDSP_OK && state.count > 0) answer->witness.place = state.legs[state.count - 1].to;
     if (deadline - answer->arrival <= share_of(&state, SAME_TIME, ROUNDING)) {
         answer->witness.limit = TDSP_LIMIT_DEADLINE;
         answer->witness.time = answer->after_arrival = deadline;
-    } else if (status == TDSP_OK && !isinf(answer->departure)) {
+    } else if (!isinf(answer->departure)) {
         status = deadline_explain(&state);
     }
-    memory_free(state.memory, state.legs, state.count * sizeof *state.legs);
     if (status == TDSP_OK) *out = *answer;
     return status;
 }

@@ -3,30 +3,16 @@
 
 #include "margin/hunt.h"
 #include "margin/raise.h"
-#include "tdsp/growth.h"
+
+/* Where growth bends, factors are looked at up to this. */
+#define MOST_FACTOR 1048576.0
 
 /* Beyond this parameter nothing rises any more. */
-static double most_raised(const tdsp_scene *scene, tdsp_raise how, double fastest)
+static double most_raised(const tdsp_scene *scene, tdsp_raise how, double slowest, double fastest)
 {
-    size_t count;
-    const tdsp_disc *discs = tdsp_scene_discs(scene, &count);
-    const double cap = raise_cap(scene);
-    double slowest = INFINITY;
-    for (size_t i = 0; i < count; i++)
-        if (discs[i].growth < cap && (how == TDSP_RAISE_ADDED || discs[i].growth > 0.0)) slowest = fmin(slowest, discs[i].growth);
-    if (isinf(slowest)) return 0.0;
-    return how == TDSP_RAISE_FACTOR ? cap / slowest : fastest + (cap - slowest);
-}
-
-static double fastest_rising(const tdsp_scene *scene)
-{
-    size_t count;
-    const tdsp_disc *discs = tdsp_scene_discs(scene, &count);
-    const double cap = raise_cap(scene);
-    double fastest = 0.0;
-    for (size_t i = 0; i < count; i++)
-        if (discs[i].growth < cap) fastest = fmax(fastest, discs[i].growth);
-    return fastest;
+    if (how == TDSP_RAISE_ADDED) return fastest + raise_cap(scene);
+    if (raise_bends(scene)) return MOST_FACTOR;
+    return isinf(slowest) ? 0.0 : raise_cap(scene) / slowest;
 }
 
 /* A(t) at a parameter, and, when asked to explain, what limits it there. */
@@ -41,7 +27,7 @@ static tdsp_status margin_ask(hunt *self, double p, int explain, int *keeps, tds
     if (status == TDSP_OK && *keeps && explain) {
         status = tdsp_solver_deadline(solver, self->deadline, &latest);
         if (status == TDSP_OK) margin->witness = latest.witness;
-        if (tdsp_status_is_answer(status) || status == TDSP_NOT_SUPPORTED) status = TDSP_OK;
+        if (tdsp_status_is_answer(status) || hunt_is_far(status)) status = TDSP_OK;
     }
     hunt_drop(solver);
     return status;
@@ -84,7 +70,7 @@ static tdsp_status margin_below(hunt *self, tdsp_margin *margin, int *found)
 static tdsp_status margin_find(hunt *self, tdsp_margin *margin)
 {
     const double start = self->how == TDSP_RAISE_FACTOR ? 1.0 : self->fastest;
-    const double end = fmax(most_raised(self->scene, self->how, self->fastest), start);
+    const double end = fmax(most_raised(self->scene, self->how, self->slowest, self->fastest), start);
     int found = 1;
     self->hi = end;
     tdsp_status status = hunt_step(self, start);
@@ -100,8 +86,8 @@ tdsp_status tdsp_departure_margin(const tdsp_scene *scene, tdsp_raise how, doubl
 {
     if (!scene || !out || (how != TDSP_RAISE_FACTOR && how != TDSP_RAISE_ADDED)) return TDSP_INVALID_ARGUMENT;
     if (!(departure >= 0.0) || isinf(departure) || !(deadline >= 0.0)) return TDSP_INVALID_ARGUMENT;
-    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
-    hunt self = {.scene = scene, .how = how, .departure = departure, .deadline = deadline, .fastest = fastest_rising(scene)};
+    hunt self = {.scene = scene, .how = how, .departure = departure, .deadline = deadline};
+    raise_range(scene, &self.slowest, &self.fastest);
     tdsp_margin margin = {0};
     margin.witness =
         (tdsp_witness){TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, tdsp_scene_journey(scene)->destination};

@@ -95,7 +95,7 @@ static tdsp_status hunt_ask(hunt *self, tdsp_solver *solver, double p, int *keep
     double latest, arrives;
     int decided = 0;
     const tdsp_status status = tdsp_latest_departure(solver, self->deadline, &latest, &arrives);
-    if (status != TDSP_NOT_SUPPORTED && !tdsp_status_is_answer(status)) return status;
+    if (!hunt_is_far(status) && !tdsp_status_is_answer(status)) return status;
     const int has_latest = status == TDSP_OK;
     if (has_latest) hunt_by_latest(self, p, latest, arrives, &decided, keeps);
     return decided ? TDSP_OK : hunt_by_arrival(self, solver, p, has_latest, keeps);

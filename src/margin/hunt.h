@@ -30,7 +30,8 @@ typedef struct hunt {
     tdsp_raise how;
     double departure; /* t */
     double deadline;
-    double fastest; /* the fastest rate below the cap; 0 where nothing rises */
+    double slowest; /* of the rates below the cap; infinite where nothing grows */
+    double fastest; /* likewise; 0 where nothing grows */
     double lo;      /* a parameter that does no harm */
     double hi;      /* one that does, or may: */
     int hi_known;
@@ -39,6 +40,12 @@ typedef struct hunt {
     int same; /* how often in a row lo (positive) or hi (negative) has moved */
     uint32_t scenes;
 } hunt;
+
+/* The times of the last departure are too far away, or after what the scene knows: A(t) need not be. */
+static inline int hunt_is_far(tdsp_status status)
+{
+    return status == TDSP_NOT_SUPPORTED || status == TDSP_SHRINKS;
+}
 
 /* The amount that a parameter stands for. */
 double hunt_amount(const hunt *self, double p);

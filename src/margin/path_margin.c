@@ -33,7 +33,7 @@ static void path_look_ridden(path_search *search, const tdsp_leg *leg)
 {
     const way w = way_of(leg);
     if (leg->kind == TDSP_LEG_ARC && leg->disc < search->count)
-        path_note(search, &w, leg->disc, close_look(&search->scales, &w, &search->discs[leg->disc]).touch);
+        path_note(search, &w, leg->disc, close_look(&search->scales, &w, &search->discs[leg->disc]));
 }
 
 /* A disc that is far even at the least amount so far cannot lower it. */
@@ -44,8 +44,7 @@ static void path_look(path_search *search, const tdsp_leg *leg)
         const tdsp_disc *disc = &search->discs[i];
         const double rate = raise_rate(search->how, fmax(search->least->most, 0.0), disc->growth, search->cap);
         if (close_is_far(&search->scales, &w, disc, fmax(rate, disc->growth))) continue;
-        const close_call call = close_look(&search->scales, &w, disc);
-        path_note(search, &w, (uint32_t)i, call.touch);
+        path_note(search, &w, (uint32_t)i, close_look(&search->scales, &w, disc));
     }
 }
 

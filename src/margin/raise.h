@@ -18,4 +18,10 @@ double raise_rate(tdsp_raise how, double amount, double rate, double cap);
 /* The largest amount at which `rate` becomes no more than `most`: infinite when none is too large, -infinity when none is small enough. */
 double raise_amount(tdsp_raise how, double most, double rate, double cap);
 
+/* Does a disc grow otherwise than by rates that hold for a while? Such growth is raised without a cap. */
+int raise_bends(const tdsp_scene *scene);
+
+/* The slowest rate over 0 and the fastest rate that are below the cap; infinite and 0 where there is none. Of what bends, those at which it begins. */
+void raise_range(const tdsp_scene *scene, double *slowest, double *fastest);
+
 #endif

@@ -62,13 +62,3 @@ double way_radius(const way *w, double time)
     return leg->radius_from +
            (leg->radius_to - leg->radius_from) * ((time - leg->start_time) / (leg->end_time - leg->start_time));
 }
-
-tdsp_point way_heading(const way *w, double time)
-{
-    const tdsp_leg *leg = w->leg;
-    if (leg->kind == TDSP_LEG_LINE) return (tdsp_point){leg->to.x - leg->from.x, leg->to.y - leg->from.y};
-    const tdsp_point place = tdsp_leg_position(leg, time);
-    const tdsp_point out = {place.x - leg->center.x, place.y - leg->center.y};
-    const double along = leg->radius_to - leg->radius_from, across = leg->turn * arc_across(leg);
-    return (tdsp_point){along * out.x - across * out.y, along * out.y + across * out.x};
-}

@@ -23,7 +23,4 @@ double way_distance(tdsp_point a, tdsp_point b);
 /* The distance from the centre, the leg being an arc. */
 double way_radius(const way *leg, double time);
 
-/* The robot's heading at a time, a vector of any length; zero where the leg takes no time. */
-tdsp_point way_heading(const way *leg, double time);
-
 #endif

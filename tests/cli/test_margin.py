@@ -102,6 +102,19 @@ def a_raised_scene_is_kept_at_the_margin_and_lost_above_it():
 
 
 @test
+def growth_that_changes_has_margins_of_departures_but_not_of_paths():
+    file = scene(discs=[{"center": [-10, 4], "radius": 1, "growth": [0.1, 0.01]}])
+    one = done("margin", file, 10, "--json").json["results"][0]
+    expect_near(one["factor"]["most"], 1.5, 1e-10)
+    expect_near(one["added"]["most"], 0.1, 1e-10)
+    expect_equal([one["factor"]["limit"], one["path_factor"], one["path_added"]], ["source_covered", None, None])
+    expect_equal(done("margin", file, 20, status=1).rows()[0][6:9], ["-inf", "-", "-"])
+    one = done("margin", file, 20, "--json", status=1).json["results"][0]
+    expect(0 < one["factor"]["most"] < 1, one)
+    expect_equal([one["added"]["most"], one["added"]["status"]], [None, "not_supported"])
+
+
+@test
 def depart_names_the_limit_in_json():
     results = done("depart", scene(), 25, 33, 1e6, 1, "--json").json["results"]
     expect_equal([one["limit"] for one in results], ["deadline", "gap", "destination_covered", "none"])
@@ -119,8 +132,6 @@ def mistakes_are_usage_errors():
     fails(4, ["nowhere.json"], "margin", scene(), "--path", "nowhere.json")
     none = write("none.json", done("path", scene(), 1000, "--json", status=1).out)
     fails(3, ["none.json", "source_covered"], "margin", scene(), "--path", none)
-    changing = [{"center": [0, 3], "radius": 1, "growth": [0.1, 0.01]}]
-    fails(2, ["one rate"], "margin", scene(discs=changing), 1)
 
 
 main()

@@ -76,7 +76,8 @@ static void margin_is_largest(property_case *c)
         const double kept = raised_arrival(c, raise, m.most, t);
         property_relates(c, kept, <=, a);
         property_holds(c, kept < INFINITY && kept == m.arrival && m.status == TDSP_OK);
-        if (m.most < INFINITY) property_relates(c, raised_arrival(c, raise, amount_moved(c, raise, m.most, NEAR), t), >, fmin(a, 1e300));
+        if (m.most < INFINITY)
+            property_relates(c, raised_arrival(c, raise, amount_moved(c, raise, m.most, NEAR), t), >, fmin(a, 1e300));
         const double arrival = property_arrival(c, t);
         if (arrival < INFINITY && arrival <= a) property_relates(c, m.most, >=, none);
         if (!(arrival <= a * (1.0 + 1e-10)) || isinf(arrival)) property_relates(c, m.most, <=, none);
@@ -277,7 +278,8 @@ static void symmetric(property_case *c)
     other.journey = (tdsp_journey){c->journey.speed * scale * slower, c->journey.radius * scale, turned(c->journey.source, scale),
                                    turned(c->journey.destination, scale)};
     for (size_t i = 0; i < c->count; i++)
-        other.discs[i] = (tdsp_disc){turned(c->discs[i].center, scale), c->discs[i].radius * scale, c->discs[i].growth * scale * slower};
+        other.discs[i] =
+            (tdsp_disc){turned(c->discs[i].center, scale), c->discs[i].radius * scale, c->discs[i].growth * scale * slower};
     property_prepare(&other);
     for (int how = 0; how < 2; how++) {
         const double rates = how == TDSP_RAISE_FACTOR ? 1.0 : scale * slower;
@@ -286,7 +288,8 @@ static void symmetric(property_case *c)
         if (here == there) continue;
         /* Where they differ, then by a touch that rounding decides: both are margins. */
         property_relates(c, raised_arrival(c, (tdsp_raise)how, amount_moved(c, (tdsp_raise)how, there, -NEAR), t), <=, a);
-        property_relates(c, raised_arrival(c, (tdsp_raise)how, amount_moved(c, (tdsp_raise)how, there, NEAR), t), >, fmin(a, 1e300));
+        property_relates(c, raised_arrival(c, (tdsp_raise)how, amount_moved(c, (tdsp_raise)how, there, NEAR), t), >,
+                         fmin(a, 1e300));
     }
     property_drop(&other);
 }

@@ -5,6 +5,7 @@
 
 #include "support/toy_tables.h"
 #include "support/world.h"
+#include "tdsp/growth.h"
 #include "tdsp/margin.h"
 #include "tdsp/verify.h"
 
@@ -273,6 +274,83 @@ static void a_robot_that_is_there_already_is_limited_by_the_cover(void **state)
     world_free(w);
 }
 
+static tdsp_scene *growing_scene(const tdsp_growth *growth)
+{
+    const tdsp_growing_disc disc = {{-10.0, 4.0}, 1.0, *growth};
+    tdsp_scene *scene;
+    assert_int_equal(tdsp_scene_create_growing(&across, &disc, 1, NULL, &scene), TDSP_OK);
+    return scene;
+}
+
+/* A disc has 3 to grow before it covers the source, which the robot leaves at 10. */
+static void growth_that_changes_limits_by_its_closed_forms(void **state)
+{
+    (void)state;
+    const double powers[] = {0.1, 0.01}, rates[] = {0.1, 0.2, 0.0}, times[] = {0.0, 5.0, 12.0};
+    const struct {
+        tdsp_growth growth;
+        double factor, added;
+    } cases[] = {
+        {{.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = powers}, 1.5, 0.1},            /* 0.1 * 10 + 0.01 * 100 = 2 */
+        {{.kind = TDSP_GROWTH_RATES, .count = 2, .values = rates, .times = times}, 2.0, 0.15}, /* 0.1 * 5 + 0.2 * 5 = 1.5 */
+        {{.kind = TDSP_GROWTH_RATES, .count = 3, .values = rates, .times = times}, 2.0, 0.15},
+    };
+    for (size_t i = 0; i < 3; i++) {
+        tdsp_margin m;
+        tdsp_scene *scene = growing_scene(&cases[i].growth);
+        assert_int_equal(tdsp_departure_margin(scene, TDSP_RAISE_FACTOR, 10.0, INFINITY, &m), TDSP_OK);
+        assert_near(m.most, cases[i].factor, 1e-11);
+        assert_int_equal(m.witness.limit, TDSP_LIMIT_SOURCE_COVERED);
+        assert_near(m.witness.time, 10.0, 1e-9);
+        assert_int_equal(tdsp_departure_margin(scene, TDSP_RAISE_ADDED, 10.0, INFINITY, &m), TDSP_OK);
+        assert_near(m.most, cases[i].added, 1e-11);
+        assert_int_equal(tdsp_path_margin(scene, TDSP_RAISE_FACTOR, NULL, 0, 10.0, &m), TDSP_NOT_SUPPORTED);
+        tdsp_scene_free(scene);
+    }
+}
+
+static void raised_growth_gains_its_radius_in_proportion_or_in_time(void **state)
+{
+    (void)state;
+    const double powers[] = {0.1, 0.0, 0.01}, rates[] = {0.1, 0.4, 0.0}, times[] = {0.0, 5.0, 12.0};
+    const tdsp_growth growths[] = {
+        {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 3, .values = powers},
+        {.kind = TDSP_GROWTH_RATES, .count = 3, .values = rates, .times = times},
+    };
+    for (size_t i = 0; i < 2; i++) {
+        tdsp_scene *scene = growing_scene(&growths[i]), *factor, *added;
+        assert_int_equal(tdsp_scene_raise(scene, TDSP_RAISE_FACTOR, 1.75, &factor), TDSP_OK);
+        assert_int_equal(tdsp_scene_raise(scene, TDSP_RAISE_ADDED, 0.25, &added), TDSP_OK);
+        for (double t = 0.0; t < 20.0; t += 0.7) {
+            double radius, more, rate, faster;
+            assert_int_equal(tdsp_scene_disc_at(scene, 0, t, &radius, &rate), TDSP_OK);
+            assert_int_equal(tdsp_scene_disc_at(factor, 0, t, &more, &faster), TDSP_OK);
+            assert_near(more, 1.0 + 1.75 * (radius - 1.0), 1e-12 * more);
+            assert_near(faster, 1.75 * rate, 1e-12 * (1.0 + faster));
+            assert_int_equal(tdsp_scene_disc_at(added, 0, t, &more, NULL), TDSP_OK);
+            assert_near(more, radius + 0.25 * t, 1e-12 * more);
+        }
+        tdsp_scene_free(factor);
+        tdsp_scene_free(added);
+        tdsp_scene_free(scene);
+    }
+}
+
+static void what_growth_that_bends_cannot_be_asked_is_told(void **state)
+{
+    (void)state;
+    const double powers[] = {0.1, 0.01};
+    const tdsp_growth growth = {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = powers};
+    tdsp_scene *scene = growing_scene(&growth), *raised = NULL;
+    tdsp_margin m = {.most = 7.0};
+    assert_int_equal(tdsp_scene_raise(scene, TDSP_RAISE_ADDED, -0.01, &raised), TDSP_NOT_SUPPORTED);
+    assert_int_equal(tdsp_scene_raise(scene, TDSP_RAISE_FACTOR, INFINITY, &raised), TDSP_NOT_SUPPORTED);
+    assert_null(raised);
+    assert_int_equal(tdsp_departure_margin(scene, TDSP_RAISE_ADDED, 20.0, INFINITY, &m), TDSP_NOT_SUPPORTED);
+    assert_exact(m.most, 7.0);
+    tdsp_scene_free(scene);
+}
+
 /* Every allocation fails in turn: told, nothing leaks, outputs stay. */
 static void memory_that_runs_out_is_told_and_leaves_nothing(void **state)
 {
@@ -337,6 +415,9 @@ int main(void)
         cmocka_unit_test(mistakes_are_told_and_touch_nothing),
         cmocka_unit_test(a_path_into_a_disc_has_no_margin),
         cmocka_unit_test(a_robot_that_is_there_already_is_limited_by_the_cover),
+        cmocka_unit_test(growth_that_changes_limits_by_its_closed_forms),
+        cmocka_unit_test(raised_growth_gains_its_radius_in_proportion_or_in_time),
+        cmocka_unit_test(what_growth_that_bends_cannot_be_asked_is_told),
         cmocka_unit_test(memory_that_runs_out_is_told_and_leaves_nothing),
         cmocka_unit_test(memory_that_runs_out_at_a_deadline_is_told),
     };

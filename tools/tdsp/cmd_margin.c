@@ -8,7 +8,6 @@
 #include "progress.h"
 #include "scene_solver.h"
 #include "table_path.h"
-#include "tdsp/growth.h"
 #include "tdsp/path.h"
 #include "times.h"
 
@@ -73,18 +72,31 @@ static gboolean ask_path(const SceneSolver *solver, const GivenPath *given, Depa
     for (guint how = 0; how < 2 && one->path_status == TDSP_OK; how++) {
         tdsp_status status = tdsp_path_margin(solver->file.scene, (tdsp_raise)how, (const tdsp_leg *)(void *)legs->data,
                                               legs->len, one->departure, &one->path[how]);
-        if (status != TDSP_OK) return cli_fail_status(error, "path", status);
+        if (status == TDSP_NOT_SUPPORTED)
+            one->path_status = status; /* growth that changes */
+        else if (status != TDSP_OK)
+            return cli_fail_status(error, "path", status);
     }
     return TRUE;
+}
+
+/* An added rate may be more than is known of growth that bends: that is no failure of the rest. */
+static gboolean ask_margin(const SceneSolver *solver, tdsp_raise how, double deadline, DepartureMargins *one, GError **error)
+{
+    tdsp_margin *margin = &one->anew[how];
+    *margin = (tdsp_margin){
+        -INFINITY, TDSP_NOT_SUPPORTED, INFINITY, {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, {0, 0}}, 0};
+    tdsp_status status = tdsp_departure_margin(solver->file.scene, how, one->departure, deadline, margin);
+    return status == TDSP_OK || status == TDSP_NOT_SUPPORTED || scene_solver_fail(solver, status, error);
 }
 
 static gboolean ask(const SceneSolver *solver, const GivenPath *given, double deadline, DepartureMargins *one, GError **error)
 {
     Stopwatch watch = stopwatch_start();
     tdsp_status status = tdsp_solver_slack(solver->solver, one->departure, deadline, &one->slack);
-    for (guint how = 0; how < 2 && status == TDSP_OK; how++)
-        status = tdsp_departure_margin(solver->file.scene, (tdsp_raise)how, one->departure, deadline, &one->anew[how]);
     if (status != TDSP_OK) return scene_solver_fail(solver, status, error);
+    for (guint how = 0; how < 2; how++)
+        if (!ask_margin(solver, (tdsp_raise)how, deadline, one, error)) return FALSE;
     if (!ask_path(solver, given, one, error)) return FALSE;
     one->seconds = stopwatch_seconds(watch);
     return TRUE;
@@ -122,14 +134,6 @@ static gboolean own_departure(const CliCommand *command, int argc, const GivenPa
     return TRUE;
 }
 
-static gboolean load_scene(const char *path, SceneSolver *solver, GError **error)
-{
-    g_auto(SceneFile) file = {0};
-    if (!scene_file_load(path, &file, error)) return FALSE;
-    if (tdsp_scene_has_rates_only(file.scene)) return scene_solver_take(&file, solver, error);
-    return cli_fail(error, CLI_USAGE, "%s: margins are known for discs that grow at one rate each only", cli_file_name(path));
-}
-
 int cmd_margin(const CliCommand *command, int argc, char **argv, GError **error)
 {
     gboolean json = FALSE;
@@ -147,7 +151,8 @@ int cmd_margin(const CliCommand *command, int argc, char **argv, GError **error)
     if (!cli_parse(command, entries, &json, &argc, &argv, error) ||
         !cli_positional(command, argc, path_name ? 1 : 2, -1, error) ||
         !times_add_all(times, argc, argv, 2, "departure", error) ||
-        (deadline_text && !times_add(limits, deadline_text, "--deadline", error)) || !load_scene(argv[1], &solver, error) ||
+        (deadline_text && !times_add(limits, deadline_text, "--deadline", error)) ||
+        !scene_solver_load(argv[1], &solver, error) ||
         !given_path_load(path_name, tdsp_scene_journey(solver.file.scene)->speed, &given, error) ||
         !own_departure(command, argc, &given, times, error))
         return CLI_FAILED;

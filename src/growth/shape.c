@@ -10,8 +10,8 @@
 
 #include "geom/polynomial.h"
 
-/* A change of the rate by less is none. */
-#define LEAST_CORNER 1e-12
+/* A change of the rate by less is none: laws by callback join no better. Whoever rides over it is off by its square. */
+#define LEAST_CORNER 1e-10
 
 /* A panel narrower than this share of its place in time, or of a time unit, has no angle worth halving for. */
 #define LEAST_PANEL 1e-13
@@ -246,7 +246,7 @@ static double panel_series(const growth_shape *shape, uint32_t span, shape_panel
         at_start += k & 1 ? -panel->c[k] : panel->c[k];
     }
     panel->c[0] = -at_start;
-    double allowed = 1.0 + 2.0 * half * c[0] + (1.0 + panel->to) / shape_jet(shape, span, panel->from).radius;
+    double allowed = 1.0 + 2.0 * half * c[0] + (1.0 + panel->to) / shape_jet(shape, span, panel->to).radius;
     return half * (fabs(c[SHAPE_SERIES - 1]) + fabs(c[SHAPE_SERIES - 2])) / (SERIES_ERROR * allowed);
 }
 

@@ -85,7 +85,7 @@ typedef struct tdsp_oracle_check_options {
     size_t size;         /* sizeof(tdsp_oracle_check_options), set by tdsp_oracle_check_options_init() */
     double horizon;      /* departures are looked at up to this; infinity: to the last one, or, where nothing seems to end them, to 1024 times the
                             larger of T(0) and the oracle's time_scale */
-    uint32_t departures; /* how many are spread over them, 2 to 1,000,000; questions backwards are as many */
+    uint32_t departures; /* how many are spread over them, 2 to 1,000,000; questions to each other callback are as many */
     uint64_t calls;      /* at most so many callbacks are called */
     uint64_t seed;       /* of the choice of departures */
     double (*clock)(void *ctx); /* seconds since whenever; NULL: calls are not timed */
@@ -105,8 +105,8 @@ TDSP_API void tdsp_oracle_check_options_init(tdsp_oracle_check_options *options)
  * @param out        receives what was found; filled when TDSP_OK or TDSP_BAD_ORACLE is returned, else untouched
  * @return TDSP_OK when nothing is wrong; TDSP_BAD_ORACLE when something is; TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
  *
- * Rules that compare both directions rest on a forward function that is sound: where rule 2 to 6 is broken in earliest_arrival they are not looked
- * at, nor are paths compared with one another. A few calls for each departure, and O(calls^2) comparisons at worst. Since 0.1.
+ * Everything else is held against the forward function: where earliest_arrival breaks one of the rules 1 to 6, rules 11 to 19 are not looked at. About ten calls
+ * for each departure with all callbacks, some hundred more where A jumps and at its end, and O(calls^2) comparisons at worst. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_oracle_check(const tdsp_oracle *oracle, const tdsp_oracle_check_options *options, const tdsp_allocator *allocator,
                                        tdsp_oracle_findings *out);

@@ -127,6 +127,32 @@ TDSP_API tdsp_status tdsp_latest_departure(tdsp_solver *solver, double arrival, 
 TDSP_API tdsp_status tdsp_earliest_arrival_for(tdsp_solver *solver, const tdsp_ends *ends, double departure, double *arrival);
 TDSP_API tdsp_status tdsp_latest_departure_for(tdsp_solver *solver, const tdsp_ends *ends, double arrival, double *departure, double *arrives);
 
+/**
+ * A(t) from one source to many destinations: each with the arrival and the status that tdsp_earliest_arrival_for() gives it, up to the stated error. They
+ * share one search.
+ *
+ * @param destinations  `count` places; equal ones, and the source itself, are allowed
+ * @param arrivals      receives `count` arrivals; infinity where there is no way
+ * @param statuses      receives as many statuses; NULL where it does not matter why there is no way, which costs a search of its own for each
+ * @return TDSP_OK when each has an answer, even if none has a way; else as tdsp_earliest_arrival_for(), and the arrays are untouched
+ *
+ * O(n^2 log n + n^2 count) at worst. There is no path afterwards: ask for one alone. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_earliest_arrivals(tdsp_solver *solver, tdsp_point source, double departure, const tdsp_point *destinations, size_t count,
+                                            double *arrivals, tdsp_status *statuses);
+
+/**
+ * The latest departures from many sources to one destination, as tdsp_latest_departure_for() gives them, up to the stated error. They share the
+ * search backwards; each is confirmed by a search forwards of its own.
+ *
+ * @param departures  receives `count` departures; infinity where the status is not TDSP_OK, or nothing ever ends the departures
+ * @param arrives     receives A(departure) of each; may be NULL
+ * @param statuses    receives the statuses; may be NULL
+ * @return as tdsp_earliest_arrivals(). Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_latest_departures(tdsp_solver *solver, const tdsp_point *sources, size_t count, tdsp_point destination, double arrival,
+                                            double *departures, double *arrives, tdsp_status *statuses);
+
 /** What ends the departures. */
 typedef struct tdsp_last_departure {
     double departure;   /* t_last; infinite when nothing ever ends the departures; negative when there is no way at t = 0 */

@@ -85,10 +85,42 @@ static tdsp_status engine_explain_leg(disc_engine *engine, engine_leg leg, int *
     return leg_stopped_by_cover(engine, &leg) ? engine_arrive(engine, &leg, done) : TDSP_OK;
 }
 
+static void engine_limit_to_goals(disc_engine *engine)
+{
+    engine_set_limit(engine, fmin(goals_latest(&engine->several), engine->question.limit));
+}
+
+/* A leg to one of several goals that is earlier than what was found so far. */
+static tdsp_status engine_push_goal_leg(disc_engine *engine, const engine_leg *leg)
+{
+    const engine_goal *goal = &engine->several.goals[leg->goal];
+    double arrival = leg_arrival(leg);
+    uint32_t added;
+    if (arrival >= goal->best || arrival < goal->opens || arrival > goal->until || leg_blocked(engine, leg)) return TDSP_OK;
+    tdsp_status status = engine_add_leg(engine, leg, &added);
+    if (status != TDSP_OK) return status;
+    goals_reach(&engine->several, leg->goal, arrival, added);
+    engine_limit_to_goals(engine);
+    tdsp_label label = {arrival, added, LABEL_LEG};
+    return tdsp_search_push(engine->open, &label);
+}
+
+/* The first leg to a goal, unless another that was found later arrives earlier. */
+static tdsp_status engine_settle(disc_engine *engine, uint32_t id, int *done)
+{
+    uint32_t goal = engine->legs[id].goal;
+    if (engine->several.goals[goal].leg != id) return TDSP_OK;
+    goals_settle(&engine->several, goal);
+    engine_limit_to_goals(engine);
+    *done = engine->several.open == 0;
+    return TDSP_OK;
+}
+
 tdsp_status engine_push_leg(disc_engine *engine, const engine_leg *leg, int *done)
 {
     uint32_t added;
     if (leg_arrival(leg) + leg->bound > engine->limit) return TDSP_OK;
+    if (leg->disc == ENGINE_GOAL && engine->several.goals) return engine_push_goal_leg(engine, leg);
     if (leg->disc == ENGINE_GOAL) {
         if (engine->question.explain) return engine_explain_leg(engine, *leg, done);
         if (!goal_leg_good(engine, leg)) return TDSP_OK;
@@ -120,6 +152,7 @@ static int engine_can_ride(const disc_engine *engine, uint32_t disc, double time
 static tdsp_status expand_leg(disc_engine *engine, uint32_t id, int *done)
 {
     const engine_leg *leg = &engine->legs[id];
+    if (leg->disc == ENGINE_GOAL && engine->several.goals) return engine_settle(engine, id, done);
     if (leg->disc == ENGINE_GOAL) {
         engine->arrived = id;
         *done = 1;
@@ -146,7 +179,7 @@ static tdsp_status expand_start(disc_engine *engine, int *done)
         if (!engine_can_ride(engine, seed->disc, question->time)) continue;
         tdsp_point place = disc_boundary(engine_disc(engine, seed->disc), seed->normal, question->time);
         engine_ride ride = {seed->disc,    seed->side,     ENGINE_NONE,    ENGINE_NONE,
-                            seed->normal, question->time, question->time, point_distance(place, question->goal)};
+                            seed->normal, question->time, question->time, engine_bound(engine, place)};
         uint32_t added;
         tdsp_status status = engine_add_ride(engine, ride, &added);
         if (status == TDSP_OK) status = ride_follow(engine, added, done);
@@ -191,7 +224,7 @@ static tdsp_status engine_set_around(disc_engine *engine, const disc_set *set)
     return is_kept ? TDSP_OK : neighbours_begin(engine->around, &engine->scene->allocator, set);
 }
 
-tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question)
+static tdsp_status engine_search(disc_engine *engine, const disc_set *set, const engine_question *question)
 {
     const tdsp_search_problem problem = {sizeof problem, engine, label_bound, expand};
     const tdsp_label start = {question->time, 0, LABEL_START};
@@ -209,6 +242,22 @@ tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_qu
     tdsp_status status = engine_set_around(engine, set);
     if (status == TDSP_OK) status = tdsp_search_run(engine->open, &problem, &start, 1, NULL);
     return status == TDSP_OK && is_part && !question->patience && engine->gave_up ? TDSP_NO_ANSWER : status;
+}
+
+tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question)
+{
+    goals_forget(&engine->several);
+    return engine_search(engine, set, question);
+}
+
+tdsp_status engine_run_many(disc_engine *engine, const disc_set *set, const engine_question *question, engine_goal *goals, uint32_t count)
+{
+    engine_question ask = *question;
+    tdsp_status status = goals_begin(&engine->several, &engine->scene->allocator, goals, count);
+    if (status != TDSP_OK) return status;
+    ask.goal = engine->several.middle;
+    ask.limit = fmin(ask.limit, goals_latest(&engine->several));
+    return engine_search(engine, set, &ask);
 }
 
 /* A path across n discs that stand evenly passes about sqrt(n) of them; a scout turns back after passing this many times as many, and a few. */
@@ -287,6 +336,7 @@ void engine_free(disc_engine *engine)
     size_t lists = engine->scene->all.count;
     tdsp_search_free(engine->open);
     heap_free(&engine->looks, memory);
+    goals_free(&engine->several, memory);
     neighbours_free(&engine->around_all, memory);
     neighbours_free(&engine->around_part, memory);
     memory_free(memory, engine->legs, engine->leg_capacity * sizeof *engine->legs);
@@ -300,6 +350,7 @@ uint64_t engine_bytes(const disc_engine *engine)
 {
     uint64_t lists = (uint64_t)engine->scene->all.count * (sizeof *engine->heads + sizeof *engine->stamps);
     uint64_t around = neighbours_bytes(&engine->around_all) + neighbours_bytes(&engine->around_part);
-    return lists + around + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
-           (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot) + sizeof *engine;
+    uint64_t several = set_bytes(&engine->several.points) + engine->several.latest_capacity * sizeof *engine->several.latest;
+    return lists + around + several + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides +
+           (engine->open->open.capacity + engine->looks.capacity) * sizeof(heap_slot);
 }

@@ -12,6 +12,7 @@
 #define SEARCH_ENGINE_H
 
 #include "scene/scene.h"
+#include "search/goals.h"
 #include "search/neighbours.h"
 #include "search/search.h"
 
@@ -32,6 +33,7 @@ typedef struct engine_leg {
     uint32_t ride; /* ENGINE_NONE: from the start */
     uint32_t disc;
     int side;      /* of the ride it begins */
+    uint32_t goal; /* to a goal: which of several */
     double leave;  /* time */
     double normal; /* angle of the leave point on the ride's disc */
     double heading;
@@ -81,6 +83,7 @@ typedef struct disc_engine {
     engine_question question;
     index_view view;
     geom_disc goal; /* as a point */
+    goal_set several;
     double rate_max; /* of the set's discs, or a little more */
     double limit;
     neighbourhood *around;         /* of the run's set: one of the next two */
@@ -115,6 +118,12 @@ uint64_t engine_bytes(const disc_engine *engine);
  */
 tdsp_status engine_run(disc_engine *engine, const disc_set *set, const engine_question *question);
 
+/*
+ * The same for several goals, each with the answer that it would have alone. Bounds are those to a circle around all of them. The question's own goal
+ * and its times are not looked at.
+ */
+tdsp_status engine_run_many(disc_engine *engine, const disc_set *set, const engine_question *question, engine_goal *goals, uint32_t count);
+
 /* After how many chunks a search that only means to find some path across all discs should give up. */
 uint64_t engine_patience(const disc_engine *engine);
 
@@ -147,6 +156,13 @@ static inline const geom_disc *engine_disc(const disc_engine *engine, uint32_t d
 static inline double engine_true_time(const disc_engine *engine, double time)
 {
     return engine->view.sign * time;
+}
+
+/* No goal is reached from a place in less time. */
+static inline double engine_bound(const disc_engine *engine, tdsp_point place)
+{
+    double bound = point_distance(place, engine->question.goal) - engine->several.spread;
+    return bound > 0.0 ? bound : 0.0;
 }
 
 /* The leg's motion. */

@@ -103,7 +103,7 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
 }
 
 /* A question backwards in time: to the source, at a true time that is neither negative nor after it is covered. */
-static engine_question reverse_question(const tdsp_solver *solver, double time, double limit)
+engine_question solver_reverse_question(const tdsp_solver *solver, double time, double limit)
 {
     const scene_ends *ends = &solver->ends;
     engine_question question = {ENGINE_REVERSE, ends->destination, ends->source, -time, -ends->source_cover.time / solver->scene->time,
@@ -114,7 +114,7 @@ static engine_question reverse_question(const tdsp_solver *solver, double time, 
 static tdsp_status latest_from_destination(latest_state *state)
 {
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = reverse_question(state->solver, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = solver_reverse_question(state->solver, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
     double departure;
     tdsp_status status = latest_reverse(state, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
@@ -126,7 +126,7 @@ static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
 {
     const engine_seed seeds[2] = {{event->first, -event->side, event->normal[0]}, {event->second, event->side, event->normal[1]}};
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = reverse_question(state->solver, event->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = solver_reverse_question(state->solver, event->time, -fmax(state->best, 0.0) / scene->time);
     question.seeds = seeds;
     question.seed_count = 2;
     event->solved = 1;
@@ -273,6 +273,7 @@ static tdsp_status latest_still(latest_state *state, double arrival)
     double travel;
     tdsp_status status = solver_arrival(solver, 0.0, &travel);
     if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_OK : status;
+    if (arrival < travel) return TDSP_OK;
     state->best = arrival - travel;
     while (state->best + travel > arrival) state->best = nextafter(state->best, -1.0);
     state->arrives = state->best + travel;
@@ -358,6 +359,39 @@ tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double
     *departure = fmax(state.best, after);
     *arrives = state.arrives;
     return TDSP_OK;
+}
+
+/* No path arrives exactly at a: mostly because it is too early. *known is 0 when that is not it. */
+static tdsp_status latest_without(latest_state *state, int *known)
+{
+    double found = INFINITY;
+    tdsp_status status = solver_arrival(state->solver, 0.0, &found);
+    *known = status == TDSP_OK && found > state->arrival + latest_slack(state, SAME_TIME);
+    return *known ? TDSP_ARRIVAL_TOO_EARLY : status;
+}
+
+/* A path leaves at state->best and arrives exactly at a, and none that leaves later does. If A there is a as well, that is the answer. */
+static tdsp_status latest_with(latest_state *state, int *known)
+{
+    tdsp_status status = latest_confirm(state);
+    *known = status == TDSP_OK && state->best > 0.0 && state->arrival - state->arrives <= latest_slack(state, SAME_TIME);
+    return status;
+}
+
+tdsp_status solver_departure_at(tdsp_solver *solver, double arrival, double candidate, double *departure, double *arrives)
+{
+    const scene_ends *ends = &solver->ends;
+    int known;
+    if (scene_covered(ends->source_cover, 0.0)) return TDSP_SOURCE_COVERED;
+    latest_state state = {solver, &solver->scene->all, solver->work, fmin(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
+                          -1.0, INFINITY};
+    state.best = fmin(candidate, ends->source_cover.time);
+    tdsp_status status = candidate < 0.0 ? latest_without(&state, &known) : latest_with(&state, &known);
+    if (!tdsp_status_is_answer(status)) return status;
+    if (!known) return tdsp_latest_departure(solver, arrival, departure, arrives);
+    *departure = state.best;
+    *arrives = state.arrives;
+    return status;
 }
 
 static void last_by_cover(tdsp_last_departure *out, tdsp_status reason, scene_cover cover, tdsp_point end)

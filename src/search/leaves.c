@@ -25,6 +25,7 @@ typedef struct leave_task {
     uint32_t self;  /* the disc ridden, or INDEX_NONE */
     uint32_t place;  /* of its rings */
     uint32_t others; /* so many discs are not it */
+    uint32_t goal;   /* which of several is looked at */
     look_wedge wedge;
     int *done;
 } leave_task;
@@ -34,7 +35,7 @@ static void task_init(leave_task *task, disc_engine *engine, uint32_t ride, uint
     task->engine = engine;
     task->ride = ride;
     task->self = self;
-    task->place = 0;
+    task->place = task->goal = 0;
     task->others = engine->set->count - (self != INDEX_NONE);
     task->done = done;
 }
@@ -50,13 +51,13 @@ static tdsp_status task_push(leave_task *task, const geom_tangent *tangent, uint
     const geom_ride *motion = &task->wedge.motion;
     double normal = task_is_start(task) ? 0.0 : tangent_normal(tangent, ride_angle(motion, leave), leave);
     double heading = task_is_start(task) ? tangent_heading(tangent, leave) : disc_heading(motion->disc, motion->side, normal);
-    engine_leg leg = {task->ride, target, tangent->to_side, leave, normal, heading, tangent_length(tangent, leave), 0.0};
+    engine_leg leg = {task->ride, target, tangent->to_side, task->goal, leave, normal, heading, tangent_length(tangent, leave), 0.0};
     double direction = wedge_direction(&task->wedge, angle_positive(heading));
     if (sky_hides(&task->wedge.sky, direction, direction, leg.length)) return TDSP_OK;
     if (target != ENGINE_GOAL) {
         double reached = heading - leg.side * tangent->to->theta;
         tdsp_point place = disc_boundary(tangent->to, reached, leg_arrival(&leg));
-        leg.bound = point_distance(place, engine->question.goal);
+        leg.bound = engine_bound(engine, place);
     }
     return engine_push_leg(engine, &leg, task->done);
 }
@@ -84,10 +85,10 @@ static tdsp_status task_try_roots(leave_task *task, const geom_pair *pair, uint3
     return status == TDSP_OK ? task_try(task, pair, target, to_side, -1, 0) : status;
 }
 
-/* Push the leg to the goal: to a point it does not matter on which side it is passed. */
-static tdsp_status task_try_goal(leave_task *task)
+/* Push the leg to a goal: to a point it does not matter on which side it is passed. */
+static tdsp_status task_try_goal(leave_task *task, const geom_disc *goal)
 {
-    const geom_disc *own = task->wedge.motion.disc, *goal = &task->engine->goal;
+    const geom_disc *own = task->wedge.motion.disc;
     tdsp_point offset = point_sub(goal->center, own->center);
     wedge_sight sight;
     wedge_look_at_disc(&task->wedge, goal, point_length(offset), angle_near(offset.y, offset.x), &sight);
@@ -104,7 +105,7 @@ static int task_too_late(const leave_task *task, const geom_disc *disc)
     const look_wedge *wedge = &task->wedge;
     if (isinf(engine->limit)) return 0;
     double first = disc_radius(disc, wedge->motion.start), last = disc_radius(disc, engine->limit);
-    double detour = point_distance(disc->center, wedge->middle) + point_distance(disc->center, engine->question.goal);
+    double detour = point_distance(disc->center, wedge->middle) + point_distance(disc->center, engine->question.goal) - engine->several.spread;
     return wedge->motion.start + detour - wedge->half_length - 2.0 * (first > last ? first : last) > engine->limit;
 }
 
@@ -235,17 +236,65 @@ static tdsp_status task_look_around(leave_task *task)
     return status;
 }
 
+/* Is a place so near that it can be reached from here by then? */
+static int task_reaches(const leave_task *task, double distance, double latest)
+{
+    return task->wedge.motion.start - task->wedge.half_length + distance < fmin(latest, task->engine->limit);
+}
+
+/* Push the legs to the goals of a leaf. */
+static tdsp_status task_try_leaf(leave_task *task, const index_node *leaf)
+{
+    const goal_set *several = &task->engine->several;
+    tdsp_status status = TDSP_OK;
+    for (uint32_t i = leaf->first; i < leaf->first + leaf->count && status == TDSP_OK; ++i) {
+        const geom_disc *point = &several->points.forward[i];
+        const engine_goal *goal = &several->goals[several->points.origin[i]];
+        double shortest;
+        if (goal->is_settled || !task_reaches(task, point_distance(point->center, task->wedge.middle), goal->best)) continue;
+        if (!wedge_look_at_place(&task->wedge, point->center, 0.0, 0.0, &shortest)) continue;
+        task->goal = several->points.origin[i];
+        geom_pair pair = pair_make(task->wedge.motion.disc, point);
+        status = task_is_start(task) ? task_try(task, &pair, ENGINE_GOAL, 1, 1, 1) : task_try_goal(task, point);
+    }
+    return status;
+}
+
+/* Push the legs to several goals, once it is known what the discs around hide. */
+static tdsp_status task_try_goals(leave_task *task)
+{
+    const goal_set *several = &task->engine->several;
+    uint32_t later[INDEX_DEPTH], at = 0;
+    tdsp_status status = TDSP_OK;
+    for (int top = 0; status == TDSP_OK;) {
+        const index_node *node = &several->points.index.nodes[at];
+        double shortest;
+        int matters = task_reaches(task, index_node_distance(node, task->wedge.middle), several->latest[at]) &&
+                      wedge_look_at_place(&task->wedge, node->middle, node->half, 0.0, &shortest);
+        if (matters && !node->count) {
+            later[top++] = node->right;
+            ++at;
+            continue;
+        }
+        if (matters) status = task_try_leaf(task, node);
+        if (top == 0) break;
+        at = later[--top];
+    }
+    return status;
+}
+
 tdsp_status leaves_push(disc_engine *engine, uint32_t ride, double from, double to, int *done)
 {
     leave_task task;
     geom_ride motion = engine_ride_motion(engine, &engine->rides[ride], from, to);
     task_init(&task, engine, ride, engine->rides[ride].disc, done);
     wedge_of_chunk(&task.wedge, &motion, fmax(engine_true_time(engine, from), engine_true_time(engine, to)), engine->rate_max);
-    tdsp_status status = task_try_goal(&task);
+    tdsp_status status = engine->several.goals ? TDSP_OK : task_try_goal(&task, &engine->goal);
     if (status == TDSP_OK) status = neighbours_of_disc(engine->around, &engine->scene->allocator, task.self, &task.place);
     if (status != TDSP_OK || *done) return status;
-    wedge_set_limit(&task.wedge, engine->question.goal, engine->limit);
-    return task_look_around(&task);
+    wedge_set_limit(&task.wedge, engine->question.goal, engine->limit + engine->several.spread);
+    status = task_look_around(&task);
+    return status == TDSP_OK && engine->several.goals ? task_try_goals(&task) : status;
 }
 
 tdsp_status leaves_push_start(disc_engine *engine, int *done)
@@ -257,12 +306,13 @@ tdsp_status leaves_push_start(disc_engine *engine, int *done)
     task_init(&task, engine, ENGINE_NONE, INDEX_NONE, done);
     wedge_of_sector(&task.wedge, &motion, 0.0, half_angle, engine_true_time(engine, time), engine->rate_max);
     geom_pair to_goal = pair_make(&start, &engine->goal);
-    tdsp_status status = task_try(&task, &to_goal, ENGINE_GOAL, 1, 1, 1);
+    tdsp_status status = engine->several.goals ? TDSP_OK : task_try(&task, &to_goal, ENGINE_GOAL, 1, 1, 1);
     if (status == TDSP_OK) status = neighbours_of_point(engine->around, &engine->scene->allocator, start.center, &task.place);
     for (int i = 0; i < SECTORS && status == TDSP_OK && !*done; ++i) {
         wedge_of_sector(&task.wedge, &motion, angle_wrap((2 * i + 1) * half_angle), half_angle, engine_true_time(engine, time), engine->rate_max);
-        wedge_set_limit(&task.wedge, engine->question.goal, engine->limit);
+        wedge_set_limit(&task.wedge, engine->question.goal, engine->limit + engine->several.spread);
         status = task_look_around(&task);
+        if (status == TDSP_OK && engine->several.goals) status = task_try_goals(&task);
     }
     return status;
 }

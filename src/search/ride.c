@@ -57,7 +57,7 @@ static tdsp_status ride_explain(disc_engine *engine, uint32_t r, double from, do
     double pass = from + spiral_duration(motion.disc, from, ahead);
     if (!(pass <= to) || point_length(offset) > disc_radius(motion.disc, pass)) return TDSP_OK;
     double normal = ride_angle(&motion, pass);
-    engine_leg leg = {r, ENGINE_GOAL, motion.side, pass, normal, disc_heading(motion.disc, motion.side, normal), 0.0, 0.0};
+    engine_leg leg = {r, ENGINE_GOAL, motion.side, 0, pass, normal, disc_heading(motion.disc, motion.side, normal), 0.0, 0.0};
     return engine_arrive(engine, &leg, done);
 }
 
@@ -76,7 +76,7 @@ tdsp_status ride_follow(disc_engine *engine, uint32_t r, int *done)
     if (to > from) ride->now = to;
     if (ended) return TDSP_OK;
     geom_ride motion = engine_ride_motion(engine, ride, to, to);
-    ride->bound = point_distance(disc_boundary(motion.disc, motion.angle, to), engine->question.goal);
+    ride->bound = engine_bound(engine, disc_boundary(motion.disc, motion.angle, to));
     if (to + ride->bound > engine->limit) return TDSP_OK;
     tdsp_label label = {to, r, 1};
     return tdsp_search_push(engine->open, &label);

@@ -36,6 +36,7 @@ static void sky_fill(skyline *sky, sky_cover cover)
         if (other->to >= cover.from && other->from <= cover.to) {
             if (other->from < cover.from) cover.from = other->from;
             if (other->to > cover.to) cover.to = other->to;
+            if (other->reach > cover.reach) cover.reach = other->reach;
             continue;
         }
         if (other->to < cover.from) place = kept + 1;
@@ -47,10 +48,10 @@ static void sky_fill(skyline *sky, sky_cover cover)
     sky->full_count = kept + 1;
 }
 
-static int sky_filled(const skyline *sky, double from, double to)
+static int sky_filled(const skyline *sky, double from, double to, double length)
 {
     for (int i = 0; i < sky->full_count; ++i)
-        if (sky->full[i].from <= from && to <= sky->full[i].to) return 1;
+        if (sky->full[i].from <= from && to <= sky->full[i].to && sky->full[i].reach <= length) return 1;
     return 0;
 }
 
@@ -73,14 +74,14 @@ static void sky_pass(skyline *sky, double bound)
 int sky_advance(skyline *sky, double bound)
 {
     if (bound >= sky->next) sky_pass(sky, bound);
-    return !sky_filled(sky, sky->from, sky->to);
+    return !sky_filled(sky, sky->from, sky->to, bound);
 }
 
 int sky_hides(const skyline *sky, double from, double to, double length)
 {
     if (from < sky->from) from = sky->from;
     if (to > sky->to) to = sky->to;
-    if (sky_filled(sky, from, to)) return 1;
+    if (sky_filled(sky, from, to, length)) return 1;
     for (int i = 0; i < sky->near_count; ++i)
         if (sky->near[i].from <= from && to <= sky->near[i].to && sky->near[i].reach < length) return 1;
     return 0;

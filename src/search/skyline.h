@@ -24,7 +24,7 @@ typedef struct skyline {
     double next; /* the least reach that is not passed */
     sky_cover near[SKY_COVERS]; /* whose reach is not passed yet */
     int near_count;
-    sky_cover full[SKY_COVERS]; /* passed: in order, disjoint */
+    sky_cover full[SKY_COVERS]; /* passed: in order, disjoint; the longest reach of each */
     int full_count;
 } skyline;
 
@@ -36,7 +36,7 @@ void sky_add(skyline *sky, double from, double to, double reach);
 /* Every leg still to come is at least this long. Returns 0 when nothing more can be seen. */
 int sky_advance(skyline *sky, double bound);
 
-/* Is every leg of a heading in this window hidden that is at least this long, and not shorter than the bound that sky_advance() was told? */
+/* Is every leg of a heading in this window hidden that is at least this long? */
 int sky_hides(const skyline *sky, double from, double to, double length);
 
 #endif

@@ -47,6 +47,15 @@ tdsp_status solver_arrival(tdsp_solver *solver, double departure, double *arriva
  */
 tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double after, double before, double *departure, double *arrives);
 
+/*
+ * tdsp_latest_departure() where the last departure from which a path arrives exactly at `arrival`, or as late as the destination is free, is known: not
+ * later than that; negative where there is none.
+ */
+tdsp_status solver_departure_at(tdsp_solver *solver, double arrival, double candidate, double *departure, double *arrives);
+
+/* The engine's question backwards in time from the destination, at a time of the frame: to the source, as far as it is free. */
+engine_question solver_reverse_question(const tdsp_solver *solver, double time, double limit);
+
 /* Why there is no way right after the last departure, which the caller knows. */
 tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason);
 

@@ -169,12 +169,86 @@ static void a_table_between_the_ends_is_accepted_by_the_verifier(void **state)
     property_each(8, 30, table_is_good);
 }
 
+enum { MANY = 24 };
+
+/* Places of all kinds: anywhere, the other end itself, and some twice. */
+static void some_places(property_case *c, tdsp_point places[MANY], tdsp_point other)
+{
+    for (int k = 0; k < MANY; k++) places[k] = some_place(c);
+    places[3] = other;
+    places[7] = places[11];
+    places[13] = c->discs[0].center;
+}
+
+/* Beside a jump either side will do. */
+static void same_arrival(property_case *c, const tdsp_ends *ends, double departure, double found, double alone)
+{
+    const double slack = NEAR * (c->unit + (found < INFINITY ? found - departure : 0.0)), step = NEAR * (departure + c->unit);
+    double before, after;
+    if (found == alone || fabs(found - alone) <= slack) return;
+    property_holds(c, tdsp_status_is_answer(tdsp_earliest_arrival_for(c->solver, ends, fmax(0.0, departure - step), &before)));
+    property_holds(c, tdsp_status_is_answer(tdsp_earliest_arrival_for(c->solver, ends, departure + step, &after)));
+    property_relates(c, found, >=, before - slack);
+    property_relates(c, found, <=, after + slack);
+}
+
+static void many_arrivals_agree(property_case *c)
+{
+    tdsp_point places[MANY];
+    double arrivals[MANY], alone;
+    tdsp_status statuses[MANY];
+    const tdsp_point source = some_place(c);
+    some_places(c, places, source);
+    const double departure = chance_below(&c->chance, 3) ? chance_between(&c->chance, 0.0, 0.5) * c->unit : 0.0;
+    property_holds(c, tdsp_earliest_arrivals(c->solver, source, departure, places, MANY, arrivals, statuses) == TDSP_OK);
+    for (int k = 0; k < MANY; k++) {
+        const tdsp_ends ends = {source, places[k]};
+        const tdsp_status status = tdsp_earliest_arrival_for(c->solver, &ends, departure, &alone);
+        property_holds(c, (statuses[k] == TDSP_OK) == (arrivals[k] < INFINITY));
+        if (arrivals[k] == INFINITY && status != TDSP_OK) property_relates(c, statuses[k], ==, status);
+        same_arrival(c, &ends, departure, arrivals[k], alone);
+    }
+}
+
+static void arrivals_that_share_a_search_are_those_of_each_alone(void **state)
+{
+    (void)state;
+    property_each(25, 40, many_arrivals_agree);
+}
+
+static void many_departures_agree(property_case *c)
+{
+    tdsp_point places[MANY];
+    double departures[MANY], arrives[MANY], alone;
+    tdsp_status statuses[MANY];
+    const tdsp_point destination = some_place(c);
+    some_places(c, places, destination);
+    const double arrival = chance_between(&c->chance, 0.2, 3.0) * c->unit;
+    property_holds(c, tdsp_latest_departures(c->solver, places, MANY, destination, arrival, departures, arrives, statuses) == TDSP_OK);
+    for (int k = 0; k < MANY; k++) {
+        const tdsp_ends ends = {places[k], destination};
+        property_relates(c, statuses[k], ==, tdsp_latest_departure_for(c->solver, &ends, arrival, &alone, NULL));
+        if (statuses[k] != TDSP_OK) continue;
+        property_relates(c, fabs(departures[k] - alone), <=, 10.0 * NEAR * (c->unit + arrival));
+        property_relates(c, arrives[k], <=, arrival);
+        property_relates(c, arrives[k], >=, departures[k]);
+    }
+}
+
+static void departures_that_share_a_search_are_those_of_each_alone(void **state)
+{
+    (void)state;
+    property_each(25, 40, many_departures_agree);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrivals_are_those_of_a_scene_made_for_the_ends),
         cmocka_unit_test(departures_are_those_of_a_scene_made_for_the_ends),
         cmocka_unit_test(the_last_departure_is_that_of_a_scene_made_for_the_ends),
+        cmocka_unit_test(arrivals_that_share_a_search_are_those_of_each_alone),
+        cmocka_unit_test(departures_that_share_a_search_are_those_of_each_alone),
         cmocka_unit_test(a_table_between_the_ends_is_accepted_by_the_verifier),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

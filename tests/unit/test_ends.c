@@ -128,6 +128,19 @@ static void a_journey_without_length_takes_no_time_wherever_it_is(void **state)
     world_free(w);
 }
 
+/* Once an endless loop: the departure was rounded towards -1 from the wrong side. */
+static void an_arrival_long_before_the_first_possible_one_is_too_early_where_nothing_grows(void **state)
+{
+    (void)state;
+    const tdsp_disc wide = {{0.0, 0.0}, 3.0, 0.0};
+    world w = world_make(across, &wide, 1);
+    uint64_t chance = 6;
+    double departure;
+    for (int k = 0; k < 100; ++k)
+        assert_int_equal(tdsp_latest_departure(w.solver, chance_between(&chance, 0.0, 20.0), &departure, NULL), TDSP_ARRIVAL_TOO_EARLY);
+    world_free(w);
+}
+
 static void ends_that_cannot_be_asked_about_are_refused_and_change_nothing(void **state)
 {
     (void)state;
@@ -206,6 +219,7 @@ int main(void)
         cmocka_unit_test(asking_about_its_own_ends_changes_no_bit),
         cmocka_unit_test(one_question_about_other_ends_leaves_the_solver_with_its_own),
         cmocka_unit_test(a_journey_without_length_takes_no_time_wherever_it_is),
+        cmocka_unit_test(an_arrival_long_before_the_first_possible_one_is_too_early_where_nothing_grows),
         cmocka_unit_test(ends_that_cannot_be_asked_about_are_refused_and_change_nothing),
         cmocka_unit_test(an_oracle_is_about_the_ends_that_the_solver_holds),
         cmocka_unit_test(questions_about_many_ends_need_no_more_and_more_memory),

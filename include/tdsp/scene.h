@@ -75,7 +75,7 @@ TDSP_API uint64_t tdsp_scene_hash_for(const tdsp_scene *scene, const tdsp_ends *
 TDSP_API double tdsp_scene_source_free_until(const tdsp_scene *scene, uint32_t *disc);
 TDSP_API double tdsp_scene_destination_free_until(const tdsp_scene *scene, uint32_t *disc);
 
-/** The same of any place, finite and not beyond 1e100. Expected O(log n). Since 0.1. */
+/** The same of any place, finite and not beyond 1e100. Expected O(log n); O(n) where a rate changes with time. Since 0.1. */
 TDSP_API double tdsp_scene_free_until(const tdsp_scene *scene, tdsp_point place, uint32_t *disc);
 
 #ifdef __cplusplus

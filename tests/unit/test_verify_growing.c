@@ -467,22 +467,6 @@ static void the_robot_s_radius_counts_where_rates_change(void **state)
     tdsp_scene_free(scene);
 }
 
-/* R = 1 + 0.4 t - 0.1 t^2 shrinks from 2 on. */
-static void a_path_into_the_time_at_which_a_disc_would_shrink_is_not_judged(void **state)
-{
-    (void)state;
-    grown disc = {.kind = TDSP_GROWTH_POLYNOMIAL, .radius = 1, .values = {0.4, -0.1}, .count = 2};
-    const tdsp_journey journey = {1, 0, {-1, 3}, {0.5, 3}};
-    tdsp_scene *scene = scene_of(&journey, &disc, 1);
-    tdsp_leg line = {.disc = TDSP_NO_DISC, .end_time = 1.5, .from = {-1, 3}, .to = {0.5, 3}};
-    tdsp_verdict verdict = {.problems = 77};
-    assert_int_equal(verdict_in(scene, &line, 1).problems, 0);
-    line = tdsp_leg_shifted(&line, 1);
-    assert_int_equal(tdsp_verify_path(scene, &line, 1, 1, 2.5, &verdict), TDSP_SHRINKS);
-    assert_int_equal(verdict.problems, 77);
-    tdsp_scene_free(scene);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -501,7 +485,6 @@ int main(void)
         cmocka_unit_test(a_curve_among_discs_of_one_rate_is_verified_too),
         cmocka_unit_test(many_growing_discs_give_what_each_gives_alone),
         cmocka_unit_test(the_robot_s_radius_counts_where_rates_change),
-        cmocka_unit_test(a_path_into_the_time_at_which_a_disc_would_shrink_is_not_judged),
     };
     return cmocka_run_group_tests_name("verify_growing", tests, NULL, NULL);
 }

@@ -82,15 +82,19 @@ static void a_table_of_rides_is_accepted_and_rejected_where_the_disc_is_larger(v
 }
 
 /* R' = 0.4 - 0.3 t: nothing is known of the disc after 4 / 3. */
-static void a_table_that_goes_on_when_a_disc_would_shrink_is_not_judged(void **state)
+static void what_goes_on_when_a_disc_would_shrink_is_not_judged(void **state)
 {
     (void)state;
     const double values[] = {0.4, -0.15};
     tdsp_leg legs[RIDE];
     tdsp_table_verdict verdict;
+    tdsp_verdict path = {.problems = 77};
     make_ride(legs);
     tdsp_scene *scene = scene_of(legs, 0, values, 2, NULL);
     assert_int_equal(verify(scene, legs, &verdict), TDSP_SHRINKS);
+    assert_int_equal(tdsp_verify_path(scene, legs, RIDE, 0.5, 2, &path), TDSP_SHRINKS);
+    assert_int_equal(path.problems, 77);
+    assert_int_equal(tdsp_verify_path(scene, legs, 13, 0.5, legs[12].end_time, &path), TDSP_OK); /* until 21 / 16 */
     tdsp_scene_free(scene);
 }
 
@@ -161,7 +165,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_of_rides_is_accepted_and_rejected_where_the_disc_is_larger),
-        cmocka_unit_test(a_table_that_goes_on_when_a_disc_would_shrink_is_not_judged),
+        cmocka_unit_test(what_goes_on_when_a_disc_would_shrink_is_not_judged),
         cmocka_unit_test(a_leg_that_goes_around_for_ever_is_judged_in_time),
         cmocka_unit_test(a_refused_allocation_is_an_error_and_leaks_nothing),
     };

@@ -14,6 +14,7 @@
 #define MOST_TURN 0.04
 #define MOST_GROWTH 0.02
 #define SHORTEST 1e-14
+#define SMALLEST 1e-12 /* a disc below this radius is ridden by nobody */
 
 static const double pi = 3.14159265358979323846;
 
@@ -40,10 +41,13 @@ static double turn_over(const law_world *world, size_t disc, size_t piece, doubl
 static int short_enough(const law_world *world, size_t disc, size_t piece, double from, double to)
 {
     const slow_jet a = law_world_jet(world, disc, piece, from), b = law_world_jet(world, disc, piece, to);
-    if (to - from <= SHORTEST * (1.0 + to)) return 1;
+    if (to - from <= SHORTEST * (1.0 + to) || b.radius < SMALLEST) return 1;
     if (!(a.radius > 0.0) || b.radius - a.radius > MOST_GROWTH * a.radius) return 0;
-    const double slow_a = 1.0 - a.rate, slow_b = 1.0 - b.rate;
-    return fmax(slow_a, slow_b) <= 1.2 * fmin(slow_a, slow_b);
+    const double slow_a = 1.0 - a.rate, slow_b = 1.0 - b.rate, middle = 0.5 * (from + to);
+    if (fmax(slow_a, slow_b) > 1.2 * fmin(slow_a, slow_b)) return 0;
+    const double whole = turn_over(world, disc, piece, from, to);
+    const double halves = turn_over(world, disc, piece, from, middle) + turn_over(world, disc, piece, middle, to);
+    return fabs(whole - halves) <= 1e-14 * (1e-2 + whole + whole / a.radius);
 }
 
 static int add_panels(law_world *world, size_t disc, size_t piece, double from, double to)
@@ -63,7 +67,9 @@ static void count_turns(law_world *world, size_t disc)
     double turned = 0.0;
     for (size_t k = world->discs[disc].panel_count; k > 0; k--) {
         law_panel *p = &world->discs[disc].panels[k - 1];
-        if (p->to - p->from > SHORTEST * (1.0 + p->to)) turned -= turn_over(world, disc, p->piece, p->from, p->to);
+        const double radius = law_world_jet(world, disc, p->piece, p->to).radius;
+        if (radius >= SMALLEST && p->to - p->from > SHORTEST * (1.0 + p->to))
+            turned -= turn_over(world, disc, p->piece, p->from, p->to);
         p->turned = turned;
     }
 }

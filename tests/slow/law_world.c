@@ -61,13 +61,17 @@ static int add_stretch(law_world *world, size_t disc, size_t piece, double from,
     return 1;
 }
 
-/* The moment between two samples at which the kind changes. */
-static double change_between(const law_world *world, size_t disc, size_t piece, double a, double b)
+static int kind_at(const law_world *world, size_t disc, size_t piece, double time)
 {
-    const int kind = kind_of(law_world_jet(world, disc, piece, a));
+    return kind_of(law_world_jet(world, disc, piece, time));
+}
+
+/* The moment up to which the kind of a moment a lasts, when it is another at b. */
+static double change_between(const law_world *world, size_t disc, size_t piece, int kind, double a, double b)
+{
     for (int i = 0; i < 60; i++) {
         const double middle = 0.5 * (a + b);
-        if (kind_of(law_world_jet(world, disc, piece, middle)) == kind)
+        if (kind_at(world, disc, piece, middle) == kind)
             a = middle;
         else
             b = middle;
@@ -75,21 +79,19 @@ static double change_between(const law_world *world, size_t disc, size_t piece, 
     return b;
 }
 
-/* Samples lie closer to the piece's begin, where a disc may begin as a point. */
+/* Samples lie closer to the piece's begin, where a disc may begin as a point. Between two samples the kind changes twice at most. */
 static int divide_piece(law_world *world, size_t disc, size_t piece, double from, double to)
 {
-    double begin = from, before = from;
-    int kind = kind_of(law_world_jet(world, disc, piece, from + 1e-12 * (to - from)));
+    const double first = from + 1e-12 * (to - from), last = to - 1e-12 * (to - from);
+    double begin = from, before = first;
+    int kind = kind_at(world, disc, piece, first);
     for (int i = 1; i <= SAMPLES_A_PIECE; i++) {
-        const double share = (double)i / SAMPLES_A_PIECE, now = i < SAMPLES_A_PIECE ? from + (to - from) * share * share : to;
-        const int next = kind_of(law_world_jet(world, disc, piece, now < to ? now : to - 1e-12 * (to - from)));
-        if (next != kind) {
-            const double end = change_between(world, disc, piece, before, now);
-            if (end > begin && end < to) {
-                if (!add_stretch(world, disc, piece, begin, end)) return 0;
-                begin = end;
-            }
-            kind = next;
+        const double share = (double)i / SAMPLES_A_PIECE, now = fmin(from + (to - from) * share * share, last);
+        for (int change = 0; change < 2 && kind_at(world, disc, piece, now) != kind; change++) {
+            before = change_between(world, disc, piece, kind, before, now);
+            kind = kind_at(world, disc, piece, before);
+            if (!add_stretch(world, disc, piece, begin, before)) return 0;
+            begin = before;
         }
         before = now;
     }

@@ -174,6 +174,19 @@ static void make_pulses(maker *m, tdsp_growing_disc *disc)
     make_steps(m, disc, 0.4, 0.25);
 }
 
+static void make_ripples(maker *m, tdsp_growing_disc *disc)
+{
+    static const double sizes[] = {1e-13, 1e-11, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3};
+    double *values = m->scene->values[m->i], *times = m->scene->times[m->i], time = 0.0, rate = 0.01 + slow_rate(m->r);
+    for (size_t k = 0; k < GROWTH_MOST_VALUES; k++) {
+        values[k] = rate;
+        times[k] = time;
+        rate += sizes[chance_below(m->r, 8)] * chance_between(m->r, -1.0, 1.0);
+        time += chance_between(m->r, 0.05, 0.8);
+    }
+    disc->growth = (tdsp_growth){.kind = TDSP_GROWTH_RATES, .count = GROWTH_MOST_VALUES, .values = values, .times = times};
+}
+
 static void make_two_rates(maker *m, tdsp_growing_disc *disc, double first, double second, double time)
 {
     double *values = m->scene->values[m->i], *times = m->scene->times[m->i];

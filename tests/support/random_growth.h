@@ -27,7 +27,8 @@
     X(BY_LAW, by_law, "laws by callback, with and without kinks")                                                                \
     X(ASSORTED, assorted, "all of these beside discs of one rate, and a robot with a radius")                                    \
     X(CLUSTER, cluster, "overlapping discs between the ends, of all laws")                                                       \
-    X(WALL, wall, "a wall whose gaps close at different times, of all laws")
+    X(WALL, wall, "a wall whose gaps close at different times, of all laws")                                                     \
+    X(RIPPLES, ripples, "rates that change by next to nothing, up and down")
 
 typedef enum grown_mix {
 #define X(upper, lower, text) GROWTH_MIX_##upper,

@@ -28,11 +28,28 @@ def arrive_gives_exact_arrivals_as_text():
 @test
 def arrive_gives_the_promised_keys_in_json():
     answer = done("arrive", scene(), 0, 9.85, "--json").json
-    expect_equal(sorted(answer), ["prepare_seconds", "results"])
+    expect_equal(sorted(answer), ["method", "prepare_seconds", "results"])
     for one in answer["results"]:
         expect_equal(sorted(one), ["arrival", "departure", "seconds", "status", "travel_time"])
         expect_equal(one["travel_time"], one["arrival"] - one["departure"])
         expect(one["seconds"] >= 0, one)
+
+
+@test
+def the_method_is_named_and_can_be_chosen_where_it_applies():
+    mixed = scene("mixed.json", discs=[disc(0, 3, 1, 0.1), disc(0, -3, 1, 0.2)])
+    changing = scene("changing.json", discs=[disc(0, 3, 1, [0.1, 0.01])])
+    for one, name in (scene(), "same_speed"), (mixed, "different_speeds"), (changing, "general"):
+        expect_equal(done("arrive", one, 0, "--json").json["method"], name)
+    for command, time in ("arrive", 9.85), ("depart", 33):
+        answers = [done(command, scene(), time, "--json", "--method", word).json for word in ("auto", "same-speed", "different-speeds", "general")]
+        expect_equal([answer["method"] for answer in answers], ["same_speed", "same_speed", "different_speeds", "general"])
+        for answer in answers:
+            for key in "departure", "arrival":
+                expect_near(answer["results"][0][key], answers[0]["results"][0][key], 1e-9)
+    fails(2, ["--method same-speed: does not apply"], "arrive", mixed, 0, "--method", "same-speed")
+    fails(2, ["--method different-speeds: does not apply"], "depart", changing, 9, "--method", "different-speeds")
+    fails(2, ["must be one of auto, same-speed"], "arrive", scene(), 0, "--method", "quick")
 
 
 @test
@@ -46,7 +63,7 @@ def depart_is_exact_inside_a_jump():
 @test
 def depart_gives_the_promised_keys_in_json():
     answer = done("depart", scene(), 25, 1, "--json").json
-    expect_equal(sorted(answer), ["prepare_seconds", "results"])
+    expect_equal(sorted(answer), ["method", "prepare_seconds", "results"])
     good, bad = answer["results"]
     for one in good, bad:
         expect_equal(sorted(one), ["arrival", "arrives", "departure", "disc", "limit", "other", "place", "seconds", "status", "time"])

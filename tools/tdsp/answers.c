@@ -18,6 +18,7 @@ static gboolean solve(const AnswerKind *kind, const SceneSolver *solver, const G
         Stopwatch watch = stopwatch_start();
         solved = kind->ask(kind, solver, &answer, error);
         answer.seconds = stopwatch_seconds(watch);
+        if (solved && kind->explain) solved = kind->explain(solver, &answer, error);
         g_array_append_val(answers, answer);
         progress_show(&progress, i + 1, times->len);
     }
@@ -48,16 +49,17 @@ static void json_answer(JsonOut *out, const AnswerKind *kind, const Answer *answ
     for (guint k = 0; k < ANSWER_NUMBERS; k++) json_out_member_number(out, kind->names[k], answer->numbers[k]);
     if (kind->within > 0) json_out_member_number(out, "lower", answer->lower);
     json_out_member_string(out, "status", tdsp_status_name(answer->status));
-    if (kind->limits) margins_json_witness(out, &answer->witness);
+    if (kind->explain) margins_json_witness(out, &answer->witness);
     json_out_member_number(out, "seconds", answer->seconds);
     json_out_end(out, '}');
 }
 
-static gboolean print_json(const AnswerKind *kind, const GArray *answers, double prepare_seconds, GError **error)
+static gboolean print_json(const AnswerKind *kind, const GArray *answers, const SceneSolver *solver, GError **error)
 {
     g_auto(JsonOut) out = json_out_new();
     json_out_begin(&out, '{');
-    json_out_member_number(&out, "prepare_seconds", prepare_seconds);
+    json_out_member_number(&out, "prepare_seconds", solver->prepare_seconds);
+    json_out_member_string(&out, "method", tdsp_method_name(tdsp_solver_method(solver->solver)));
     if (kind->within > 0) json_out_member_number(&out, "within", kind->within);
     json_out_key(&out, "results");
     json_out_begin(&out, '[');
@@ -79,9 +81,9 @@ int answers_run(const AnswerKind *kind, int argc, char **argv, gboolean json, GE
     g_autoptr(GArray) times = times_new();
     g_autoptr(GArray) answers = g_array_new(FALSE, FALSE, sizeof(Answer));
     g_auto(SceneSolver) solver = {0};
-    if (!times_add_all(times, argc, argv, 2, kind->what, error) || !scene_solver_load(argv[1], &solver, error) ||
+    if (!times_add_all(times, argc, argv, 2, kind->what, error) || !scene_solver_load_for(argv[1], (tdsp_method)kind->method, &solver, error) ||
         !solve(kind, &solver, times, answers, error) ||
-        !(json ? print_json(kind, answers, solver.prepare_seconds, error) : print_text(kind, answers, error)))
+        !(json ? print_json(kind, answers, &solver, error) : print_text(kind, answers, error)))
         return CLI_FAILED;
     return cli_answer(any_ok(answers));
 }

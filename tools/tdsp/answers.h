@@ -23,9 +23,11 @@ struct AnswerKind {
     const char *what;                  /* is asked about, for messages */
     const char *names[ANSWER_NUMBERS]; /* of the numbers, as columns and as keys */
     double within;                     /* the share; 0: exact, without a lower bound */
-    gboolean limits;                   /* answers come with what limits them */
+    guint32 method;                    /* a tdsp_method */
     /* Fill in an answer whose first number is the time asked about. */
     gboolean (*ask)(const AnswerKind *kind, const SceneSolver *solver, Answer *answer, GError **error);
+    /* Find its witness; its time is not counted. NULL: answers have none. */
+    gboolean (*explain)(const SceneSolver *solver, Answer *answer, GError **error);
 };
 
 /* Solve argv[1], a scene, for the times in argv[2] on, and print the answers. Returns an exit status. */

@@ -6,26 +6,41 @@
 #include "cli.h"
 #include "numbers.h"
 #include "stopwatch.h"
+#include "words.h"
 
-gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
+static gboolean take_for(SceneFile *file, tdsp_method method, SceneSolver *out, GError **error)
 {
     SceneSolver made = {.file = *file};
     *file = (SceneFile){0};
     Stopwatch watch = stopwatch_start();
-    tdsp_status status = tdsp_solver_create(made.file.scene, &made.solver);
+    tdsp_status status = tdsp_solver_create_for(made.file.scene, method, &made.solver);
     made.prepare_seconds = made.file.prepare_seconds + stopwatch_seconds(watch);
     if (status != TDSP_OK) {
+        if (status == TDSP_NOT_SUPPORTED)
+            cli_fail(error, CLI_USAGE, "--method %s: does not apply to discs that grow as those of %s", words_method(method), made.file.file);
+        else
+            cli_fail_status(error, "solver", status);
         scene_solver_clear(&made);
-        return cli_fail_status(error, "solver", status);
+        return FALSE;
     }
     *out = made;
     return TRUE;
 }
 
-gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error)
+gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
+{
+    return take_for(file, TDSP_METHOD_AUTO, out, error);
+}
+
+gboolean scene_solver_load_for(const char *path, tdsp_method method, SceneSolver *out, GError **error)
 {
     SceneFile file;
-    return scene_file_load(path, &file, error) && scene_solver_take(&file, out, error);
+    return scene_file_load(path, &file, error) && take_for(&file, method, out, error);
+}
+
+gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error)
+{
+    return scene_solver_load_for(path, TDSP_METHOD_AUTO, out, error);
 }
 
 void scene_solver_clear(SceneSolver *solver)

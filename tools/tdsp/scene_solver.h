@@ -12,6 +12,8 @@ typedef struct SceneSolver {
 } SceneSolver;
 
 gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error);
+/* The same with a method; one that does not apply to the scene is a usage error. */
+gboolean scene_solver_load_for(const char *path, tdsp_method method, SceneSolver *out, GError **error);
 /* Make a solver for a scene file that was read; takes the file over. */
 gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error);
 void scene_solver_clear(SceneSolver *solver);
@@ -33,6 +35,9 @@ gboolean scene_solver_arrival_within(const SceneSolver *solver, double departure
 /* The option for it; `text` receives what was given, which scene_solver_parse_within() turns into a share (NULL: 0, exact). */
 #define SCENE_SOLVER_WITHIN(text)                                                                                                \
     {"within", 0, 0, G_OPTION_ARG_STRING, (text), "Travel time at most 1 + DELTA times the least, found sooner", "DELTA"}
+/* The option for the method; words_parse_method() reads what was given. */
+#define SCENE_SOLVER_METHOD(text)                                                                                                \
+    {"method", 0, 0, G_OPTION_ARG_STRING, (text), "auto, same-speed, different-speeds or general (default auto)", "METHOD"}
 gboolean scene_solver_parse_within(const char *text, double *within, GError **error);
 
 #endif

@@ -1,4 +1,4 @@
-/* Words for values. Each list is in the order of its enumeration (tdsp/types.h). */
+/* Words for values. Each list is in the order of its enumeration (tdsp/types.h, tdsp/solver.h). */
 #include "words.h"
 
 #include <string.h>
@@ -8,6 +8,7 @@
 
 static const char *const guarantees[] = {"travel", "arrival", "absolute", NULL};
 static const char *const samplings[] = {"adaptive", "geometric", NULL};
+static const char *const methods[] = {"auto", "same-speed", "different-speeds", "general", NULL};
 static const char *const monotones[] = {"travel", "arrival", NULL};
 
 static const char *word_of(const char *const *words, guint32 value)
@@ -30,6 +31,11 @@ const char *words_monotone(guint32 monotone)
     return word_of(monotones, monotone);
 }
 
+const char *words_method(guint32 method)
+{
+    return word_of(methods, method);
+}
+
 static gboolean parse(const char *const *words, const char *option, const char *word, guint32 *value, GError **error)
 {
     *value = 0;
@@ -46,6 +52,11 @@ static gboolean parse(const char *const *words, const char *option, const char *
 gboolean words_parse_guarantee(const char *option, const char *word, guint32 *value, GError **error)
 {
     return parse(guarantees, option, word, value, error);
+}
+
+gboolean words_parse_method(const char *option, const char *word, guint32 *value, GError **error)
+{
+    return parse(methods, option, word, value, error);
 }
 
 gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error)

@@ -1,4 +1,4 @@
-/* The words of the command line for the values that tables store. */
+/* The words of the command line for values of enumerations. */
 #ifndef WORDS_H
 #define WORDS_H
 
@@ -9,8 +9,11 @@ const char *words_guarantee(guint32 guarantee);
 const char *words_sampling(guint32 sampling);
 const char *words_monotone(guint32 monotone);
 
+const char *words_method(guint32 method);
+
 /* The value of a word, or a usage error about `option` that lists the words. NULL is the first word. */
 gboolean words_parse_guarantee(const char *option, const char *word, guint32 *value, GError **error);
+gboolean words_parse_method(const char *option, const char *word, guint32 *value, GError **error);
 gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error);
 
 #endif

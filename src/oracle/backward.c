@@ -90,7 +90,7 @@ void backward_judge(examiner *x, tdsp_oracle_callback callback, double a, double
 
 int backward_is_refused(double a, tdsp_status status)
 {
-    return isinf(a) && status == TDSP_NOT_SUPPORTED;
+    return isinf(a) && (status == TDSP_NOT_SUPPORTED || status == TDSP_SHRINKS);
 }
 
 /* Is the answer one to the question, given that A(0) is known? 1 when there is a departure to judge. */

@@ -12,7 +12,7 @@ void reason_examine(examiner *x);
 /* Hold a latest departure d for arrival a against everything that was seen, and against A a little before and after it. */
 void backward_judge(examiner *x, tdsp_oracle_callback callback, double a, double d);
 
-/* The last departure of all may be farther away than the oracle can reckon. */
+/* The last departure of all may be farther away than the oracle can reckon, or than its world is known. */
 int backward_is_refused(double a, tdsp_status status);
 
 /* How far beside d an answer may be looked for that a jump at d could have displaced. */

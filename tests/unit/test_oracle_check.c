@@ -214,6 +214,32 @@ static void an_oracle_without_any_way_is_sound_when_both_directions_say_so(void 
     assert_true(found.broken == BIT(TDSP_RULE_BOTH_WAYS));
 }
 
+static tdsp_status refuses_the_last(void *ctx, double arrival, double *departure)
+{
+    mutant *m = ctx;
+    return isinf(arrival) ? TDSP_NOT_SUPPORTED : m->sound.latest_departure(m->sound.ctx, arrival, departure);
+}
+
+static tdsp_status refuses_the_late(void *ctx, double arrival, double *departure)
+{
+    mutant *m = ctx;
+    return arrival > 20 ? TDSP_NOT_SUPPORTED : m->sound.latest_departure(m->sound.ctx, arrival, departure);
+}
+
+static void only_the_last_departure_of_all_may_be_refused(void **state)
+{
+    (void)state;
+    mutant m;
+    tdsp_oracle_findings found;
+    mutant_make(&m);
+    tdsp_oracle oracle = mutant_sound(&m);
+    oracle.latest_departure = refuses_the_last;
+    passes("refuses the last", &oracle, NULL);
+    oracle.latest_departure = refuses_the_late;
+    assert_int_equal(tdsp_oracle_check(&oracle, NULL, NULL, &found), TDSP_BAD_ORACLE);
+    assert_true(found.broken == BIT(TDSP_RULE_ERROR));
+}
+
 /* ------------------------------------------------------------------------------------------ limits, arguments, memory */
 
 static void calls_are_limited_and_the_findings_say_so(void **state)
@@ -324,6 +350,7 @@ int main(void)
         cmocka_unit_test(a_finding_says_where_and_what),
         cmocka_unit_test(sound_toys_of_every_kind_pass),
         cmocka_unit_test(an_oracle_without_any_way_is_sound_when_both_directions_say_so),
+        cmocka_unit_test(only_the_last_departure_of_all_may_be_refused),
         cmocka_unit_test(calls_are_limited_and_the_findings_say_so),
         cmocka_unit_test(the_same_seed_finds_the_same),
         cmocka_unit_test(bad_arguments_are_refused),

@@ -25,7 +25,7 @@ path() { # PICTURE SCENE DEPARTURE
 travel_times() { # PICTURE SCENE
     local table=$work/table.tdsp # the picture names the scene
     "$build/tdsp" build "$2" -o "$table" >/dev/null
-    { echo "$1"; "$build/tdsp" info "$table" | sed '1d;/^size\|^guides\|^scene hash/d'; } | rounded >>"$work/shown.txt"
+    { echo "$1"; "$build/tdsp" info "$table" | sed '1d;/^size\|^guides\|^scene hash/d; s/, at (.*//'; } | rounded >>"$work/shown.txt"
     mv "$table" "$work/$(basename "$2" .json).tdsp"
     [ -n "$check" ] || "$build/tdsp" plot "$work/$(basename "$2" .json).tdsp" -o "$out/$1" >/dev/null
 }

@@ -81,7 +81,8 @@ static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
     growth_shape *shape = &engine->shapes[ride->disc];
     tdsp_status status = shape_measure(shape, &engine->allocator, ride->run);
     if (status != TDSP_OK) return status;
-    if (wake_covers(engine, ride->disc, ride->run, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
+    /* From the start both ways round begin at one place and time, and neither covers the other. */
+    if (ride->leg != GROWTH_NONE && wake_covers(engine, ride->disc, ride->run, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
     status = memory_reserve(&engine->allocator, (void **)&engine->rides, &engine->ride_capacity, engine->ride_count + 1, sizeof *ride);
     if (status != TDSP_OK) return status;
     ride->now = ride->start;

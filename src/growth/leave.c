@@ -1,6 +1,9 @@
 /* The argument is in leave.h. */
 #include "growth/leave.h"
 
+#include "geom/angle.h"
+#include "geom/tolerance.h"
+
 /* Parts of a chunk that are looked at one by one, at most. */
 #define MOST_PARTS 64
 
@@ -236,12 +239,38 @@ static tdsp_status leave_for(leave_target *target)
     return status;
 }
 
+/* A goal on the boundary itself is ridden onto: there e touches 0 and keeps its sign. */
+static tdsp_status leave_onto_goal(const leave_target *goal)
+{
+    const growth_chunk *chunk = goal->chunk;
+    if (chunk->base.in_fan) return TDSP_OK;
+    growth_moment moment = chunk_moment(chunk, chunk->from);
+    double before = rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment), low = chunk->from, high = chunk->to;
+    tdsp_point out = point_sub(goal->place, chunk->shape->center);
+    double angle = angle_positive(chunk->ride->side * (atan2(out.y, out.x) - chunk->ride->normal));
+    moment = chunk_moment(chunk, chunk->to);
+    if (angle < before || angle > rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment)) return TDSP_OK;
+    for (int step = 0; step < 100 && low < high; ++step) {
+        double middle = 0.5 * (low + high);
+        if (!(middle > low && middle < high)) break;
+        moment = chunk_moment(chunk, middle);
+        if (rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment) < angle)
+            low = middle;
+        else
+            high = middle;
+    }
+    moment = chunk_moment(chunk, high);
+    double length = point_distance(rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), goal->place);
+    return length <= GEOM_CONTACT * (1.0 + point_length(out)) ? target_push(goal, high, high, NULL) : TDSP_OK;
+}
+
 tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32_t ride)
 {
     growth_moment first = chunk_moment(chunk, chunk->from), last = chunk_moment(chunk, chunk->to);
     const sight_line ends[2] = {rider_leaves(chunk->shape, chunk->sign, chunk->ride, &first), rider_leaves(chunk->shape, chunk->sign, chunk->ride, &last)};
     leave_target goal = {engine, chunk, ride, GROWTH_GOAL, NULL, engine->question.goal, SHAPE_NONE, 0, 0.0, 0.0, ends};
     tdsp_status status = leave_for(&goal);
+    if (status == TDSP_OK) status = leave_onto_goal(&goal);
     for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->members[i];
         const growth_shape *shape = engine_shape(engine, disc);

@@ -13,6 +13,9 @@
 /* A change of the rate by less is none: laws by callback join no better. Whoever rides over it is off by its square. */
 #define LEAST_CORNER 1e-10
 
+/* A rise by less ends no run: going straight over it would save its cube of a time, and touch nothing that rounding shows. */
+#define LEAST_RISE 1e-7
+
 /* A panel narrower than this share of its place in time, or of a time unit, has no angle worth halving for. */
 #define LEAST_PANEL 1e-13
 
@@ -145,7 +148,7 @@ static tdsp_status shape_corners(growth_shape *shape, const tdsp_allocator *allo
 static int spans_join(const growth_shape *shape, uint32_t left)
 {
     double at = shape->spans[left].to;
-    return shape_jet(shape, left, at).rate >= shape_jet(shape, left + 1, at).rate - LEAST_CORNER;
+    return shape_jet(shape, left, at).rate >= shape_jet(shape, left + 1, at).rate - LEAST_RISE;
 }
 
 static tdsp_status shape_group(growth_shape *shape, const tdsp_allocator *allocator)

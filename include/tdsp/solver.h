@@ -169,18 +169,17 @@ typedef struct tdsp_last_departure {
 TDSP_API tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out);
 
 /**
- * What closes where A jumps: from departure + travel_before at `departure` to departure + travel_after right after it.
+ * What closes where A jumps right after `departure`: the place on its path at which two discs touch it at the same moment, one on either hand. Mostly
+ * that is a gap event (docs/math/arrival.md, 5.4), and where both discs grow at one rate its time and place are exact.
  *
- * It is the gap event that the latest departure for an arrival inside the jump passes; or else, found by a look along the path of `departure`, the place
- * at which two discs touch it at the same moment, one on either hand.
+ * @param departure  as tdsp_jumps_find() or a latest departure tells it; finite, not negative
+ * @param out        untouched unless TDSP_OK
+ * @return TDSP_OK; TDSP_NO_ANSWER when there is no such place; TDSP_INVALID_ARGUMENT; an error as of tdsp_earliest_arrival()
  *
- * @param out  untouched unless TDSP_OK
- * @return TDSP_OK; TDSP_NO_ANSWER when nothing of the kind is found; TDSP_INVALID_ARGUMENT for NULL, a departure that is negative or not finite, and
- *         travel times that do not rise or are not finite; an error as of tdsp_latest_departure()
- *
- * About one tdsp_latest_departure(), whose last answer is lost; the look takes O(legs * discs). One thread at a time for a solver. Since 0.1.
+ * One tdsp_earliest_arrival(), and O(legs * discs) for the look. The path of the last answer is that of A(departure). One thread at a time for a
+ * solver. Since 0.1.
  */
-TDSP_API tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, double travel_before, double travel_after, tdsp_gap *out);
+TDSP_API tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, tdsp_gap *out);
 
 /**
  * The path of the last answer: of A(t), or of A(t) at the latest departure.

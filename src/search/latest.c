@@ -223,24 +223,6 @@ static tdsp_status latest_search(latest_state *state)
     return status == TDSP_OK ? latest_prove(state) : status;
 }
 
-static uint32_t latest_given(const latest_state *state, uint32_t disc)
-{
-    return relax_given(&state->solver->relaxation, state->set, disc);
-}
-
-/* What the best path passes, for who asks later; read before the next search replaces the set. */
-static void latest_keep_gap(const latest_state *state)
-{
-    tdsp_solver *solver = state->solver;
-    const gap_event *gap = state->gap;
-    solver->passed = (tdsp_gap){TDSP_NO_DISC, TDSP_NO_DISC, 0.0, {0, 0}};
-    if (!gap) return;
-    solver->passed.first = latest_given(state, gap->first);
-    solver->passed.second = latest_given(state, gap->second);
-    solver->passed.time = gap->time * solver->scene->time;
-    solver->passed.place = scene_place(solver->scene, gap->place);
-}
-
 /*
  * The question among the discs of a set. Among some of them only, whose path says what else matters, the engine is left with the path of the
  * best departure. What arrives by a among all discs does so among fewer; what does not may.
@@ -258,7 +240,6 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     if (set == &solver->scene->all) state->too_late = fmin(state->too_late, state->known_late);
     state->gap = NULL;
     tdsp_status status = latest_search(state);
-    latest_keep_gap(state);
     solver->engine.arrived = ENGINE_NONE;
     if (status != TDSP_OK || state->best < 0.0 || set == &solver->scene->all) return status;
     --solver->work.forward_searches; /* this one only looks again at what is known */
@@ -290,7 +271,6 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after,
                           after, before};
     *state = start;
     solver->has_path = 0;
-    solver->passed.first = TDSP_NO_DISC;
     if (solver->growth) return general_latest(solver, arrival, after, before, &state->best, &state->arrives);
     if (scene_is_still(scene)) return latest_still(state, arrival);
     if (solver_is_far(solver, fmin(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
@@ -394,6 +374,11 @@ tdsp_status solver_departure_at(tdsp_solver *solver, double arrival, double cand
     return status;
 }
 
+static uint32_t latest_given(const latest_state *state, uint32_t disc)
+{
+    return relax_given(&state->solver->relaxation, state->set, disc);
+}
+
 static void last_by_cover(tdsp_last_departure *out, tdsp_status reason, scene_cover cover, tdsp_point end)
 {
     out->reason = reason;
@@ -410,11 +395,12 @@ static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *
         last_by_cover(out, TDSP_SOURCE_COVERED, ends->source_cover, ends->given.source);
         return TDSP_OK;
     }
-    if (state->gap) { /* a witness for the cut */
-        out->disc = state->solver->passed.first;
-        out->other = state->solver->passed.second;
-        out->time = state->solver->passed.time;
-        out->place = state->solver->passed.place;
+    if (state->gap) { /* a witness for the cut; read before the next search replaces the set */
+        const tdsp_scene *scene = state->solver->scene;
+        out->disc = latest_given(state, state->gap->first);
+        out->other = latest_given(state, state->gap->second);
+        out->time = state->gap->time * scene->time;
+        out->place = scene_place(scene, state->gap->place);
     }
     tdsp_status status = reason_find(state->solver, state->best + latest_slack(state, PROOF_STEP), &out->reason);
     if (status != TDSP_OK || out->reason == TDSP_CUT_OFF) return status;

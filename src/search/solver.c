@@ -276,7 +276,9 @@ static tdsp_status oracle_last_reason(void *ctx, double departure, tdsp_status *
 
 static tdsp_status oracle_jump_gap(void *ctx, double departure, double before, double after, tdsp_gap *out)
 {
-    return tdsp_solver_gap(ctx, departure, before, after, out);
+    (void)before;
+    (void)after;
+    return tdsp_solver_gap(ctx, departure, out);
 }
 
 tdsp_status tdsp_solver_oracle(tdsp_solver *solver, tdsp_oracle *out)

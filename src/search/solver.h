@@ -22,7 +22,6 @@ struct tdsp_solver {
     int has_path;
     struct gap_event *gaps; /* candidates of the question under way */
     size_t gap_count, gap_capacity;
-    tdsp_gap passed; /* the gap that the last latest departure passes, if that is known */
     tdsp_solver_work work;
 };
 

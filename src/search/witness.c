@@ -1,12 +1,12 @@
 /*
  * What closes where A jumps.
  *
- * The latest departure for an arrival inside the jump is the departure of the jump, and where it passes a gap event the solver knows which. Not every
- * jump has one: the corner may lie within a third disc at the moment at which it is as slow as the robot. What every lost path has is a place at which no
- * later robot gets through: there one disc touches it on its left and another on its right at the same moment. For a jump's own path both
- * clearances are 0 up to the error of its departure, so the place is found among the least clearances of the path's legs to the discs that are not ridden.
+ * Every path that is lost has a place at which no later robot gets through: one disc touches it there on its left and another on its right at
+ * the same moment, for else the path could be bent aside. For a jump's own path both clearances are 0 up to the error of its departure, so the place is found
+ * among the least clearances of the path's legs to the discs that are not ridden. That needs paths and discs only, and serves every law of growth.
  *
- * Only the public interface to paths and discs is used: it serves every law of growth.
+ * Where both discs grow at one rate the place is mostly a gap event, whose time and corner are known in closed form (gap.h): they then stand for what
+ * was found. They do not where the corner lies within a third disc before it is as slow as the robot.
  */
 #include <math.h>
 
@@ -17,8 +17,8 @@
 /* Two discs that touch come this near, of the journey's length; the departure of a jump is exact to 1e-11 or so. */
 #define TOUCH 1e-7
 
-/* A departure is that of the jump within this share of the travel time and the scene's own time. */
-#define SAME_DEPARTURE 1e-8
+/* An event this near to what was found, of the journey's length, is it. */
+#define POLISH 1e-3
 
 /* Parts of a leg in which a clearance has one least value, and steps that find it; 0.618^60 is nothing. */
 #define PARTS 24
@@ -99,23 +99,23 @@ static void pinch_pair(pinch *self, uint32_t disc, double time)
     }
 }
 
-/* No disc comes nearer than this on the leg: the robot and the boundary move at their speeds at most. */
-static double least_possible(const pinch *self, uint32_t disc)
+/* No disc comes nearer than this between two moments of the leg: robot and boundary move at their speeds at most. */
+static double least_possible(const pinch *self, uint32_t disc, double low, double high)
 {
-    const tdsp_leg *leg = self->leg;
-    double duration = leg->end_time - leg->start_time;
-    double grown = disc_reach(self->solver, disc, leg->end_time) - disc_reach(self->solver, disc, leg->start_time);
-    double both = clearance_at(self, disc, leg->start_time) + clearance_at(self, disc, leg->end_time);
-    return 0.5 * (both - self->solver->scene->journey.speed * duration - grown);
+    double grown = disc_reach(self->solver, disc, high) - disc_reach(self->solver, disc, low);
+    double both = clearance_at(self, disc, low) + clearance_at(self, disc, high);
+    return 0.5 * (both - self->solver->scene->journey.speed * (high - low) - grown);
 }
 
 static void pinch_by(pinch *self, uint32_t disc)
 {
     const tdsp_leg *leg = self->leg;
-    if (disc == leg->disc || least_possible(self, disc) > self->nearest) return;
+    if (disc == leg->disc || least_possible(self, disc, leg->start_time, leg->end_time) > self->nearest) return;
     double part = (leg->end_time - leg->start_time) / PARTS;
     for (int i = 0; i < PARTS; ++i) {
-        double low = leg->start_time + i * part, time = least_between(self, disc, low, low + part);
+        double low = leg->start_time + i * part, high = i + 1 < PARTS ? low + part : leg->end_time;
+        if (least_possible(self, disc, low, high) > self->nearest) continue;
+        double time = least_between(self, disc, low, high);
         if (fabs(clearance_at(self, disc, time)) < self->nearest) pinch_pair(self, disc, time);
     }
 }
@@ -131,32 +131,68 @@ static void pinch_find(pinch *self)
     }
 }
 
-static tdsp_status witness_look(tdsp_solver *solver, double departure, tdsp_gap *out)
+/* The moments of the gap events of two discs of one rate each, in the user's units: up to two (gap.h). */
+static int event_times(const tdsp_solver *solver, const tdsp_gap *gap, double cosine, double times[2])
+{
+    const tdsp_disc *i = &solver->scene->discs[gap->first], *j = &solver->scene->discs[gap->second];
+    double ri = i->radius + solver->scene->journey.radius, rj = j->radius + solver->scene->journey.radius, vi = i->growth, vj = j->growth;
+    double distance = point_distance(i->center, j->center);
+    double a = vi * vi + vj * vj - 2.0 * vi * vj * cosine, b = ri * vi + rj * vj - cosine * (ri * vj + rj * vi);
+    double c = ri * ri + rj * rj - 2.0 * ri * rj * cosine - distance * distance, discriminant = b * b - a * c;
+    if (!(a > 0.0) || discriminant < 0.0) return 0;
+    double q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
+    times[0] = q / a;
+    times[1] = q != 0.0 ? c / q : times[0];
+    return 2;
+}
+
+/* The corner of an event, with the first disc on the robot's left (side +1) or right. */
+static tdsp_point event_corner(const tdsp_solver *solver, const tdsp_gap *gap, double angle, double time)
+{
+    tdsp_point o = solver->scene->discs[gap->first].center, between = point_sub(solver->scene->discs[gap->second].center, o);
+    double ri = disc_reach(solver, gap->first, time), rj = disc_reach(solver, gap->second, time);
+    tdsp_point turn = point_unit(angle), divisor = point_make(ri - rj * turn.x, -rj * turn.y);
+    tdsp_point normal = point_make(point_dot(between, divisor), point_cross(divisor, between));
+    return point_along(o, ri / point_length(normal), normal);
+}
+
+/* The event of the pair that is near what was found, if there is one. */
+static void witness_polish(const tdsp_solver *solver, tdsp_gap *gap)
+{
+    const tdsp_scene *scene = solver->scene;
+    double vi = scene->discs[gap->first].growth / scene->journey.speed, vj = scene->discs[gap->second].growth / scene->journey.speed;
+    if (!tdsp_scene_has_rates_only(scene) || !(vi < 1.0) || !(vj < 1.0)) return;
+    double angle = acos(vi) + acos(vj), times[2], near = POLISH * scene->length;
+    int count = event_times(solver, gap, cos(angle), times);
+    const tdsp_gap found = *gap;
+    for (int k = 0; k < count; ++k)
+        for (int side = -1; side <= 1; side += 2) {
+            tdsp_point corner = event_corner(solver, gap, side * angle, times[k]);
+            double off = point_distance(corner, found.place) + scene->journey.speed * fabs(times[k] - found.time);
+            if (!(off < near)) continue;
+            near = off;
+            gap->time = times[k];
+            gap->place = corner;
+        }
+}
+
+/* Of the path of the solver's last answer. */
+static tdsp_status witness_look(const tdsp_solver *solver, tdsp_gap *out)
 {
     const tdsp_scene *scene = solver->scene;
     pinch found = {solver, NULL, TOUCH * (scene->length + scene->journey.radius), {TDSP_NO_DISC, TDSP_NO_DISC, 0.0, {0, 0}}};
-    double arrival;
-    tdsp_status status = tdsp_earliest_arrival(solver, departure, &arrival);
-    if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_NO_ANSWER : status;
     pinch_find(&found);
     if (found.gap.first == TDSP_NO_DISC) return TDSP_NO_ANSWER;
+    witness_polish(solver, &found.gap);
     *out = found.gap;
     return TDSP_OK;
 }
 
-tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, double travel_before, double travel_after, tdsp_gap *out)
+tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, tdsp_gap *out)
 {
-    if (!solver || !out || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
-    if (!(travel_before >= 0.0) || !(travel_after > travel_before) || isinf(travel_after)) return TDSP_INVALID_ARGUMENT;
-    double slack = SAME_DEPARTURE * (travel_before + solver->ends.time), found, arrives;
-    double after = departure > slack ? departure - slack : -1.0, arrival = departure + 0.5 * (travel_before + travel_after);
-    tdsp_status status = solver_departure_between(solver, arrival, after, departure + slack, &found, &arrives);
-    if (!tdsp_status_is_answer(status)) return status;
-    if (status != TDSP_OK || fabs(found - departure) > slack || solver->passed.first == TDSP_NO_DISC) return witness_look(solver, departure, out);
-    *out = solver->passed;
-    if (out->first > out->second) {
-        out->first = solver->passed.second;
-        out->second = solver->passed.first;
-    }
-    return TDSP_OK;
+    double arrival;
+    if (!out) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = tdsp_earliest_arrival(solver, departure, &arrival);
+    if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_NO_ANSWER : status;
+    return witness_look(solver, out);
 }

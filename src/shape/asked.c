@@ -117,10 +117,9 @@ tdsp_status asked_middle(asked *self, shape_point low, shape_point high, shape_p
     return *jumps ? asked_behind(self, *before, high, before->travel + 0.5 * short_of, after) : TDSP_OK;
 }
 
-tdsp_status asked_gap(asked *self, shape_point before, shape_point after, tdsp_gap *out)
+tdsp_status asked_gap(asked *self, shape_point before, tdsp_gap *out)
 {
     *out = (tdsp_gap){TDSP_NO_DISC, TDSP_NO_DISC, 0.0, {0, 0}};
-    if (!(after.travel > before.travel)) return TDSP_OK;
-    tdsp_status status = tdsp_solver_gap(self->solver, before.departure, before.travel, after.travel, out);
+    tdsp_status status = tdsp_solver_gap(self->solver, before.departure, out);
     return status == TDSP_NO_ANSWER ? TDSP_OK : status;
 }

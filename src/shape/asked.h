@@ -38,7 +38,7 @@ tdsp_status asked_progress(const asked *self, double settled);
  */
 tdsp_status asked_middle(asked *self, shape_point low, shape_point high, shape_point *before, shape_point *after, int *jumps);
 
-/* What closes at a jump; its discs are TDSP_NO_DISC where that is not found. */
-tdsp_status asked_gap(asked *self, shape_point before, shape_point after, tdsp_gap *out);
+/* What closes at the jump after a departure; its discs are TDSP_NO_DISC where that is not found. */
+tdsp_status asked_gap(asked *self, shape_point before, tdsp_gap *out);
 
 #endif

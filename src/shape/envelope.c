@@ -128,7 +128,7 @@ static tdsp_status close_at_jump(envelope_search *self, formed low, formed high,
     tdsp_gap gap;
     tdsp_status status = asked_middle(&self->ask, low.at, high.at, &before, &after, jumps);
     if (status != TDSP_OK || !*jumps) return status;
-    status = asked_gap(&self->ask, before, after, &gap);
+    status = asked_gap(&self->ask, before, &gap);
     if (status == TDSP_OK) status = close_piece(self, before, TDSP_CHANGE_JUMP, gap);
     self->begin = (formed){{before.departure, after.travel}, high.form};
     return status;

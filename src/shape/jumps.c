@@ -51,7 +51,7 @@ static tdsp_status add_jump(jump_search *self, shape_point before, shape_point a
     tdsp_jumps *jumps = self->jumps;
     void *found = jumps->found;
     tdsp_arrival_jump jump = {before.departure, before.travel, after.travel, after.travel - before.travel, {0, 0, 0, {0, 0}}};
-    tdsp_status status = asked_gap(&self->ask, before, after, &jump.gap);
+    tdsp_status status = asked_gap(&self->ask, before, &jump.gap);
     if (status == TDSP_OK) status = memory_reserve(&jumps->allocator, &found, &jumps->capacity, jumps->count + 1, sizeof jump);
     jumps->found = found;
     if (status == TDSP_OK) jumps->found[jumps->count++] = jump;

@@ -78,6 +78,18 @@ def the_departure_changes_the_picture():
 
 
 @test
+def the_gaps_behind_jumps_are_marked_in_a_scene_on_request():
+    done("plot", scene(), "-o", "a.svg")
+    done("plot", scene(), "-o", "b.svg", "--jumps")
+    expect(svg_counts("b.svg")["path"] > svg_counts("a.svg")["path"], "no mark")
+    open_scene = scene("open.json", discs=[{"center": [0, 50], "radius": 1, "growth": 0}])
+    fails(2, ["--horizon"], "plot", open_scene, "-o", "c.svg", "--jumps")
+    done("plot", open_scene, "-o", "c.svg", "--jumps", "--horizon", 10)
+    fails(2, ["--horizon"], "plot", scene(), "-o", "c.svg", "--jumps", "--horizon", "x")
+    done("plot", scene(discs=[{"center": [-10, 0], "radius": 1, "growth": 0}]), "-o", "c.svg", "--jumps")
+
+
+@test
 def any_other_ending_is_a_usage_error():
     for name in ("a.pdf", "a", "svg", "a.svg.gz"):
         fails(2, [name, ".svg or .png"], "plot", scene(), "-o", name)

@@ -5,6 +5,7 @@
 #include "file_in.h"
 #include "file_out.h"
 #include "json_out.h"
+#include "numbers.h"
 #include "plot_canvas.h"
 #include "plot_curve.h"
 #include "plot_scene.h"
@@ -13,14 +14,16 @@
 
 typedef struct Wanted {
     gboolean json;
-    char *output, *depart_text;
-    double departure;
+    gboolean jumps;
+    char *output, *depart_text, *horizon_text;
+    double departure, horizon;
 } Wanted;
 
 static void wanted_clear(Wanted *wanted)
 {
     g_free(wanted->output);
     g_free(wanted->depart_text);
+    g_free(wanted->horizon_text);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Wanted, wanted_clear)
 
@@ -29,12 +32,26 @@ typedef struct Drawn {
     tdsp_status status;
 } Drawn;
 
+/* The jumps to mark, where they are wanted; none where there is no way at all. */
+static gboolean find_jumps(const Wanted *wanted, tdsp_solver *solver, tdsp_jumps **jumps, GError **error)
+{
+    tdsp_shape_options options;
+    if (!wanted->jumps) return TRUE;
+    tdsp_shape_options_init(&options);
+    if (wanted->horizon_text) options.until = wanted->horizon;
+    tdsp_status status = tdsp_jumps_find(solver, &options, jumps);
+    if (status == TDSP_NEEDS_HORIZON)
+        return cli_fail(error, CLI_USAGE, "no disc ever ends the departures of this scene: say how far to look for jumps with --horizon H");
+    return tdsp_status_is_answer(status) ? TRUE : cli_fail_status(error, "solver", status);
+}
+
 /* A scene without a path is drawn too, for that is when one wants to look at it. */
 static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *drawn, GError **error)
 {
     SceneFile scene;
     g_auto(SceneSolver) solver = {0};
     ScenePicture picture = {.scene = &solver.file, .departure = wanted->departure};
+    tdsp_jumps *jumps = NULL;
     if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
         !scene_solver_take(&scene, &solver, error) ||
         !scene_solver_arrival(&solver, wanted->departure, &picture.arrival, &picture.status, error))
@@ -42,9 +59,13 @@ static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *draw
     g_autoptr(GArray) legs = NULL;
     legs = picture.status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
     if (!legs) return FALSE;
+    if (!find_jumps(wanted, solver.solver, &jumps, error)) return FALSE;
     picture.legs = legs;
+    picture.jumps = jumps;
     *drawn = (Drawn){picture.arrival, picture.status};
-    return plot_scene(&picture, wanted->output, error);
+    gboolean done = plot_scene(&picture, wanted->output, error);
+    tdsp_jumps_free(jumps);
+    return done;
 }
 
 static gboolean draw_table(const FileIn *file, const Wanted *wanted, Drawn *drawn, GError **error)
@@ -78,6 +99,8 @@ static gboolean parse_wanted(Wanted *wanted, GError **error)
     g_autoptr(GArray) times = times_new();
     if (!wanted->output) return cli_fail(error, CLI_USAGE, "-o FILE is missing: where to draw, .svg or .png");
     if (!canvas_check_name(wanted->output, error)) return FALSE;
+    const char *wrong = wanted->horizon_text ? number_parse_time(wanted->horizon_text, &wanted->horizon) : NULL;
+    if (wrong) return cli_fail(error, CLI_USAGE, "--horizon \"%s\": %s", wanted->horizon_text, wrong);
     if (!wanted->depart_text) return TRUE;
     if (!times_add(times, wanted->depart_text, "--depart", error)) return FALSE;
     wanted->departure = g_array_index(times, double, 0);
@@ -92,6 +115,8 @@ int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error)
     const GOptionEntry entries[] = {
         {"output", 'o', 0, G_OPTION_ARG_FILENAME, &wanted.output, "Draw to FILE, which ends in .svg or .png", "FILE"},
         {"depart", 0, 0, G_OPTION_ARG_STRING, &wanted.depart_text, "Departure to draw (default 0), or to mark in a table", "T"},
+        {"jumps", 0, 0, G_OPTION_ARG_NONE, &wanted.jumps, "Mark in a scene the gaps whose closing makes the travel time jump", NULL},
+        {"horizon", 0, 0, G_OPTION_ARG_STRING, &wanted.horizon_text, "Look for jumps up to this departure (with --jumps)", "H"},
         G_OPTION_ENTRY_NULL,
     };
     if (!cli_parse(command, entries, &wanted.json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error) ||

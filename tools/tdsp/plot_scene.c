@@ -7,6 +7,7 @@
 #include "cli.h"
 #include "plot_discs.h"
 #include "plot_frame.h"
+#include "plot_gaps.h"
 #include "plot_labels.h"
 #include "plot_route.h"
 #include "tdsp/growth.h"
@@ -157,6 +158,7 @@ static double draw_journey(cairo_t *cr, const Frame *frame, const ScenePicture *
         plot_route_draw(cr, frame, legs, count, &labels);
     }
     label_ends(cr, frame, tdsp_scene_journey(picture->scene->scene), &labels);
+    plot_gaps(cr, frame, picture->jumps, picture->scene->time_unit, &labels);
     if (count > 0) step = plot_route_times(cr, frame, legs, count, &labels);
     return step;
 }
@@ -240,6 +242,12 @@ static void legend_line(Legend *legend, gboolean ridden, const char *text)
     cairo_set_dash(legend->cr, NULL, 0, 0);
 }
 
+static void legend_gap(Legend *legend)
+{
+    double x = legend_item(legend, 12, "gap that closes, and the last departure through it");
+    plot_gap_mark(legend->cr, x + 6, legend->y);
+}
+
 static gboolean rides(const GArray *legs)
 {
     for (guint i = 0; i < legs->len; i++)
@@ -258,6 +266,7 @@ static void draw_legend(const Canvas *canvas, const ScenePicture *picture, doubl
     if (count > 0 && isfinite(picture->arrival)) legend_disc(&legend, PLOT_DISC_LATER, PLOT_DISC_OUTLINE, "at arrival");
     if (picture->legs->len > 0) legend_line(&legend, FALSE, path);
     if (rides(picture->legs)) legend_line(&legend, TRUE, "ridden disc, as the ride begins");
+    if (tdsp_jumps_count(picture->jumps) > 0) legend_gap(&legend);
 }
 
 /* Metres become kilometres where there are many. */

@@ -3,6 +3,7 @@
 #define PLOT_SCENE_H
 
 #include "scene_file.h"
+#include "tdsp/shape.h"
 
 /* What is drawn: the scene for a robot that leaves at `departure`, and its path. */
 typedef struct ScenePicture {
@@ -11,6 +12,7 @@ typedef struct ScenePicture {
     double arrival; /* infinite when there is no path */
     tdsp_status status;
     const GArray *legs; /* of tdsp_leg */
+    const tdsp_jumps *jumps; /* to be marked; NULL for none */
 } ScenePicture;
 
 gboolean plot_scene(const ScenePicture *picture, const char *path, GError **error);

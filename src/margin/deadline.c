@@ -55,8 +55,7 @@ static tdsp_status deadline_gap(deadline_state *state, double after)
     tdsp_status status = TDSP_NO_ANSWER;
     answer->witness.limit = TDSP_LIMIT_JUMP;
     answer->witness.time = answer->departure;
-    if (travel_after > travel_before)
-        status = tdsp_solver_gap(state->solver, answer->departure, travel_before, travel_after, &gap);
+    if (travel_after > travel_before) status = tdsp_solver_gap(state->solver, answer->departure, &gap);
     if (status == TDSP_NO_ANSWER) return TDSP_OK;
     if (status == TDSP_OK) answer->witness = (tdsp_witness){TDSP_LIMIT_GAP, gap.first, gap.second, gap.time, gap.place};
     return status;

@@ -147,15 +147,17 @@ TDSP_API tdsp_status tdsp_departure_margin(const tdsp_scene *scene, tdsp_raise h
  * made to: those of a table moved to an earlier departure, those of a scene raised by tdsp_scene_raise(). A path touches where it comes as close as the
  * verifier's tolerance (tdsp/verify.h).
  *
- * @param legs       as of tdsp_solver_path() or tdsp_table_path(): lines and arcs, in order of time, at times not negative
+ * @param legs       as of tdsp_solver_path() or tdsp_table_path(), in order of time, at times not negative
  * @param count      number of legs; 0: a robot that is at the source at `departure`
  * @param departure  looked at where there are no legs only
  * @param out        untouched unless TDSP_OK
  * @return TDSP_OK whatever the margin is; TDSP_INVALID_ARGUMENT; TDSP_BAD_PATH for legs that are not well formed or run backwards in time;
- *         TDSP_NOT_SUPPORTED for a scene with growth that changes, and for legs of kind TDSP_LEG_CURVE
+ *         where growth changes, TDSP_NOT_SUPPORTED for an added rate when the path fails as it is, TDSP_SHRINKS, TDSP_NO_MEMORY
  *
  * Only clearance is looked at: whether the legs join, and keep to the top speed, is the verifier's business. Exact on lines up to rounding; on arcs
- * among other discs a lower bound by at most a quarter of the tolerance, as a length at that time. O(legs * discs), no memory. Any thread. Since 0.1.
+ * among other discs a lower bound by at most a quarter of the tolerance, as a length at that time. O(legs * discs), no memory. Where growth changes, or legs are
+ * curves, the amount is found by halving with the verifier, to 1e-12 of itself and its tolerance: some sixty verifications of raised scenes; amounts are then looked for up
+ * to 2^20, of the robot's speed for an added rate, and `most` is infinite when none does harm. Any thread. Since 0.1.
  */
 TDSP_API tdsp_status tdsp_path_margin(const tdsp_scene *scene, tdsp_raise how, const tdsp_leg *legs, size_t count,
                                       double departure, tdsp_margin *out);

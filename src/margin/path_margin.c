@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "margin/close.h"
+#include "margin/path_halving.h"
 #include "margin/raise.h"
 #include "tdsp/growth.h"
 #include "tdsp/path.h"
@@ -51,7 +52,7 @@ static void path_look(path_search *search, const tdsp_leg *leg)
 static tdsp_status path_check(const tdsp_leg *legs, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if (legs[i].kind == TDSP_LEG_CURVE) return TDSP_NOT_SUPPORTED;
+        if (legs[i].kind == TDSP_LEG_CURVE) continue; /* the verifier's business */
         if (!way_well_formed(&legs[i])) return TDSP_BAD_PATH;
         if (i > 0 && legs[i].start_time < legs[i - 1].start_time) return TDSP_BAD_PATH;
     }
@@ -79,9 +80,11 @@ tdsp_status tdsp_path_margin(const tdsp_scene *scene, tdsp_raise how, const tdsp
     if (!scene || !out || (!legs && count > 0) || (how != TDSP_RAISE_FACTOR && how != TDSP_RAISE_ADDED))
         return TDSP_INVALID_ARGUMENT;
     if (!(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
-    if (!tdsp_scene_has_rates_only(scene)) return TDSP_NOT_SUPPORTED;
+    int curves = 0;
+    for (size_t i = 0; i < count; i++) curves += legs[i].kind == TDSP_LEG_CURVE;
     const tdsp_status status = path_check(legs, count);
     if (status != TDSP_OK) return status;
+    if (curves > 0 || !tdsp_scene_has_rates_only(scene)) return halving_margin(scene, how, legs, count, departure, out);
     const tdsp_point source = tdsp_scene_journey(scene)->source;
     const tdsp_leg rest = {.kind = TDSP_LEG_LINE,
                            .disc = TDSP_NO_DISC,

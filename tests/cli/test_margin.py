@@ -102,12 +102,18 @@ def a_raised_scene_is_kept_at_the_margin_and_lost_above_it():
 
 
 @test
-def growth_that_changes_has_margins_of_departures_but_not_of_paths():
+def growth_that_changes_has_margins_too():
     file = scene(discs=[{"center": [-10, 4], "radius": 1, "growth": [0.1, 0.01]}])
     one = done("margin", file, 10, "--json").json["results"][0]
     expect_near(one["factor"]["most"], 1.5, 1e-10)
     expect_near(one["added"]["most"], 0.1, 1e-10)
-    expect_equal([one["factor"]["limit"], one["path_factor"], one["path_added"]], ["source_covered", None, None])
+    expect_equal(one["factor"]["limit"], "source_covered")
+    ways = [(10 + k / 1000, math.hypot(4, k / 1000) - 1) for k in range(20001)]  # when, and the room beside the path
+    expect_near(one["path_factor"]["most"], min(room / (0.1 * t + 0.01 * t * t) for t, room in ways), 1e-6)
+    expect_near(one["path_added"]["most"], min((room - 0.1 * t - 0.01 * t * t) / t for t, room in ways), 1e-6)
+    touching = scene(discs=[{"center": [0, 0.5], "radius": 1, "growth": [0.01, 0.001]}])
+    one = done("margin", touching, 3, "--json").json["results"][0]
+    expect_equal([one["path_factor"]["most"], one["path_added"]["most"], one["path_factor"]["disc"]], [1, 0, 0])
     expect_equal(done("margin", file, 20, status=1).rows()[0][6:9], ["-inf", "-", "-"])
     one = done("margin", file, 20, "--json", status=1).json["results"][0]
     expect(0 < one["factor"]["most"] < 1, one)

@@ -241,7 +241,7 @@ static void mistakes_are_told_and_touch_nothing(void **state)
     assert_int_equal(tdsp_path_margin(w.scene, TDSP_RAISE_FACTOR, NULL, 1, 0.0, &m), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_path_margin(w.scene, TDSP_RAISE_FACTOR, &leg, 1, 0.0, &m), TDSP_BAD_PATH);
     leg.kind = TDSP_LEG_CURVE;
-    assert_int_equal(tdsp_path_margin(w.scene, TDSP_RAISE_FACTOR, &leg, 1, 0.0, &m), TDSP_NOT_SUPPORTED);
+    assert_int_equal(tdsp_path_margin(w.scene, TDSP_RAISE_FACTOR, &leg, 1, 0.0, &m), TDSP_BAD_PATH);
     assert_exact(m.most, 7.0);
     world_free(w);
 }
@@ -304,7 +304,11 @@ static void growth_that_changes_limits_by_its_closed_forms(void **state)
         assert_near(m.witness.time, 10.0, 1e-9);
         assert_int_equal(tdsp_departure_margin(scene, TDSP_RAISE_ADDED, 10.0, INFINITY, &m), TDSP_OK);
         assert_near(m.most, cases[i].added, 1e-11);
-        assert_int_equal(tdsp_path_margin(scene, TDSP_RAISE_FACTOR, NULL, 0, 10.0, &m), TDSP_NOT_SUPPORTED);
+        assert_int_equal(tdsp_path_margin(scene, TDSP_RAISE_FACTOR, NULL, 0, 10.0, &m), TDSP_OK);
+        assert_near(m.most, cases[i].factor, 1e-7);
+        assert_int_equal(m.witness.limit, TDSP_LIMIT_TOUCH);
+        assert_int_equal(tdsp_path_margin(scene, TDSP_RAISE_ADDED, NULL, 0, 10.0, &m), TDSP_OK);
+        assert_near(m.most, cases[i].added, 1e-7);
         tdsp_scene_free(scene);
     }
 }

@@ -1,8 +1,11 @@
 /* Jumps, the gaps behind them, and pieces: known scenes, wrong options, and memory that runs out. */
 #include "support/cmocka_all.h"
 
+#include <string.h>
+
 #include "support/toy_tables.h"
 #include "support/world.h"
+#include "tdsp/growth.h"
 #include "tdsp/shape.h"
 
 #define V 1.0
@@ -116,6 +119,56 @@ static void a_corner_within_a_third_disc_is_found_by_the_look(void **state)
     }
     tdsp_jumps_free(jumps);
     world_free(w);
+}
+
+/* A gate whose discs grow faster and faster: the same questions, another engine. */
+static void discs_whose_rates_change_have_jumps_gaps_and_pieces_too(void **state)
+{
+    (void)state;
+    const double powers[] = {0.1, 0.001};
+    tdsp_growing_disc discs[2];
+    tdsp_scene *scene;
+    tdsp_solver *solver;
+    tdsp_jumps *jumps;
+    tdsp_envelope *envelope;
+    tdsp_arrival_jump jump;
+    tdsp_piece piece;
+    tdsp_shape_options options = until(10.0);
+    memset(discs, 0, sizeof discs);
+    for (int k = 0; k < 2; k++) {
+        discs[k].center.y = k == 0 ? 3.0 : -3.0;
+        discs[k].radius = 1.0;
+        discs[k].growth.kind = TDSP_GROWTH_POLYNOMIAL;
+        discs[k].growth.count = 2;
+        discs[k].growth.values = powers;
+    }
+    assert_int_equal(tdsp_scene_create_growing(&across, discs, 2, NULL, &scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_jumps_find(solver, &options, &jumps), TDSP_OK);
+    assert_int_equal(tdsp_jumps_count(jumps), 1);
+    assert_int_equal(tdsp_jumps_get(jumps, 0, &jump), TDSP_OK);
+    assert_near(jump.travel_before, 20.0, 1e-9);
+    assert_int_equal(jump.gap.first, 0);
+    assert_int_equal(jump.gap.second, 1);
+    /* By symmetry the corner is on the axis, at sqrt(R^2 - 9), and as slow as the robot where R R' is that: a time by halving. */
+    double low = 0.0, high = 100.0;
+    for (int i = 0; i < 100; i++) {
+        const double t = 0.5 * (low + high), radius = 1.0 + 0.1 * t + 0.001 * t * t, rate = 0.1 + 0.002 * t;
+        *(radius * radius * (1.0 - rate * rate) < 9.0 ? &low : &high) = t;
+    }
+    const double radius = 1.0 + 0.1 * low + 0.001 * low * low;
+    assert_near(jump.gap.time, low, 1e-4);
+    assert_near(jump.gap.place.x, sqrt(radius * radius - 9.0), 1e-3);
+    assert_near(jump.departure, low - 10.0 - sqrt(radius * radius - 9.0), 1e-8);
+    assert_int_equal(tdsp_envelope_find(solver, &options, &envelope), TDSP_OK);
+    assert_int_equal(tdsp_envelope_pieces(envelope), 2);
+    assert_int_equal(tdsp_envelope_piece(envelope, 0, &piece), TDSP_OK);
+    assert_int_equal(piece.change, TDSP_CHANGE_JUMP);
+    assert_near(piece.until, jump.departure, 1e-9);
+    tdsp_envelope_free(envelope);
+    tdsp_jumps_free(jumps);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
 }
 
 static void a_departure_without_a_squeeze_or_a_way_has_no_gap(void **state)
@@ -358,6 +411,7 @@ int main(void)
         cmocka_unit_test(a_jump_no_larger_than_asked_for_is_left_out),
         cmocka_unit_test(a_jump_at_the_first_departure_counts),
         cmocka_unit_test(a_corner_within_a_third_disc_is_found_by_the_look),
+        cmocka_unit_test(discs_whose_rates_change_have_jumps_gaps_and_pieces_too),
         cmocka_unit_test(a_departure_without_a_squeeze_or_a_way_has_no_gap),
         cmocka_unit_test(a_disc_that_grows_into_the_way_makes_a_touch),
         cmocka_unit_test(the_gate_has_two_pieces_with_a_jump_between),

@@ -111,7 +111,7 @@ def growth_that_changes_has_margins_too():
     ways = [(10 + k / 1000, math.hypot(4, k / 1000) - 1) for k in range(20001)]  # when, and the room beside the path
     expect_near(one["path_factor"]["most"], min(room / (0.1 * t + 0.01 * t * t) for t, room in ways), 1e-6)
     expect_near(one["path_added"]["most"], min((room - 0.1 * t - 0.01 * t * t) / t for t, room in ways), 1e-6)
-    touching = scene(discs=[{"center": [0, 0.5], "radius": 1, "growth": [0.01, 0.001]}])
+    touching = scene("touching.json", discs=[{"center": [0, 0.5], "radius": 1, "growth": [0.01, 0.001]}])
     one = done("margin", touching, 3, "--json").json["results"][0]
     expect_equal([one["path_factor"]["most"], one["path_added"]["most"], one["path_factor"]["disc"]], [1, 0, 0])
     expect_equal(done("margin", file, 20, status=1).rows()[0][6:9], ["-inf", "-", "-"])

@@ -7,6 +7,7 @@
 #ifndef TDSP_BUILD_H
 #define TDSP_BUILD_H
 
+#include "tdsp/matrix.h"
 #include "tdsp/oracle.h"
 #include "tdsp/status.h"
 #include "tdsp/types.h"
@@ -98,6 +99,47 @@ TDSP_API tdsp_status tdsp_build(const tdsp_oracle *oracle, const tdsp_build_opti
 
 /** Free the bytes of a table that tdsp_build() made. Since 0.1. */
 TDSP_API void tdsp_bytes_free(const tdsp_allocator *allocator, void *bytes, size_t length);
+
+/**
+ * The oracle from source i to destination j, for one build with it: valid until the next call for the same worker. `scene_hash` goes into the header of the
+ * pair's table. TDSP_OK, or an error.
+ */
+typedef tdsp_status (*tdsp_pair_oracle)(void *ctx, size_t i, size_t j, size_t worker, tdsp_oracle *oracle, uint64_t *scene_hash);
+
+/** The pairs of a matrix. Initialise with zeros. */
+typedef struct tdsp_matrix_plan {
+    const tdsp_matrix_end *sources; /* each with a finite place, and a name in UTF-8 or none; at least one */
+    size_t source_count;
+    const tdsp_matrix_end *destinations; /* likewise */
+    size_t destination_count;
+    tdsp_pair_oracle oracle_for;
+    void *ctx;
+} tdsp_matrix_plan;
+
+typedef struct tdsp_matrix_report {
+    uint64_t tables; /* pairs with a way */
+    uint64_t rows;   /* of all tables */
+    uint64_t bytes;  /* of the matrix */
+    uint64_t forward_calls;
+    uint64_t reverse_calls;
+    size_t source;      /* on an error of a pair: which; else the numbers of sources and destinations */
+    size_t destination;
+} tdsp_matrix_report;
+
+/**
+ * Build the tables of all pairs into one matrix.
+ *
+ * @param plan      the pairs, and where their oracles come from
+ * @param options   for each table; of its world, speed and units count. `workers` must be NULL: where there is run_tasks, whole pairs are its tasks, spread
+ *                  over worker_count workers (0: one), and progress is told the number of pairs
+ * @param report    may be NULL; filled also when a pair fails
+ * @return TDSP_OK, also where no pair has a way; TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY; the error of the first pair that fails, as tdsp_build().
+ *         `bytes` and `length` are untouched unless TDSP_OK. Free with tdsp_bytes_free().
+ *
+ * The bytes do not depend on the number of workers. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_matrix_build(const tdsp_matrix_plan *plan, const tdsp_build_options *options, const tdsp_allocator *allocator,
+                                       void **bytes, size_t *length, tdsp_matrix_report *report);
 
 #ifdef __cplusplus
 }

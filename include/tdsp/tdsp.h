@@ -5,6 +5,7 @@
 #include "tdsp/build.h"
 #include "tdsp/growth.h"
 #include "tdsp/margin.h"
+#include "tdsp/matrix.h"
 #include "tdsp/oracle.h"
 #include "tdsp/oracle_check.h"
 #include "tdsp/path.h"

@@ -5,16 +5,16 @@
  * destinations, and one search backwards from the destination at `a` tells for each source the last departure from which a path arrives exactly at a.
  * Where A is continuous that is the answer, and A at it is a; otherwise the source is asked about alone.
  *
- * Such a search floods the discs as far as the farthest place, while a question alone looks only at what its path meets (relax.h). Some places are asked
- * about alone first; what that cost tells whether sharing pays for the others.
+ * Such a search floods the discs as far as the farthest place, while a question alone looks only at what its path meets (relax.h). So places are asked about
+ * alone as long as what that cost so far does not show that sharing pays for the others.
  */
 #include "search/reason.h"
 
-/* So many are asked about alone first. */
+/* So many are asked about alone at least. */
 #define SAMPLES 4u
 
-/* A flood costs as much as following so many chunks of rides alone, for each disc that it reaches. Measured: docs/math/search.md. */
-#define FLOOD 0.0
+/* A flood costs as much as following so many chunks of rides alone, for each disc that it reaches. Measured: docs/math/search.md, 7.10. */
+#define FLOOD 14.0
 
 /* ... and for backward questions, which share about half of their work, so many times as much. */
 #define FLOOD_BACK 2.0
@@ -39,6 +39,7 @@ typedef struct many_question {
     engine_goal *goals;
     size_t count;
     uint32_t goal_count;
+    double discs_met; /* by a flood */
 } many_question;
 
 /* The places, where the other end is one and the same. */
@@ -102,19 +103,12 @@ static double many_discs_met(const many_question *self)
     return met;
 }
 
-/* Ask about some alone. *pays is 1 when the others had better share a search. */
-static tdsp_status many_sample(many_question *self, int *pays)
+/* Does sharing pay for the others, when `known` places cost so many chunks? */
+static int many_pays(const many_question *self, size_t known, uint64_t chunks)
 {
-    const disc_engine *engine = &self->solver->engine;
-    size_t samples = self->count < SAMPLES ? self->count : SAMPLES;
-    uint64_t before = engine->chunks_followed;
-    tdsp_status status = TDSP_OK;
-    for (size_t i = 0; i < samples && status == TDSP_OK; ++i) status = many_ask_alone(self, &self->places[i * self->count / samples]);
-    *pays = 0;
-    if (status != TDSP_OK || self->count == samples || self->count >= ENGINE_GOAL || self->solver->growth) return status;
-    double alone = (double)(engine->chunks_followed - before) / (double)samples * (double)(self->count - samples);
-    *pays = alone >= FLOOD * (self->direction == ENGINE_FORWARD ? 1.0 : FLOOD_BACK) * many_discs_met(self);
-    return TDSP_OK;
+    if (known < SAMPLES || known >= self->count || self->count >= ENGINE_GOAL || self->solver->growth) return 0;
+    double alone = (double)chunks / (double)known * (double)(self->count - known);
+    return alone > FLOOD * (self->direction == ENGINE_FORWARD ? 1.0 : FLOOD_BACK) * self->discs_met;
 }
 
 /* Places at the other end itself, covered ones and those too far away are no goals: they are asked about alone, which is quick. */
@@ -180,14 +174,32 @@ static tdsp_status departures_share(many_question *self)
     return status;
 }
 
+static tdsp_status many_share(many_question *self)
+{
+    for (size_t k = 0; k < self->count; ++k) many_add_goal(self, &self->places[k]);
+    if (self->goal_count == 0) return TDSP_OK;
+    return self->direction == ENGINE_FORWARD ? arrivals_share(self) : departures_share(self);
+}
+
+/* One after the other, in steps that spread the first ones over the list, until sharing pays. */
 static tdsp_status many_answer(many_question *self)
 {
-    int pays;
-    tdsp_status status = many_sample(self, &pays);
-    for (size_t k = 0; pays && k < self->count; ++k) many_add_goal(self, &self->places[k]);
-    if (status == TDSP_OK && self->goal_count > 0) status = self->direction == ENGINE_FORWARD ? arrivals_share(self) : departures_share(self);
-    for (size_t k = 0; k < self->count && status == TDSP_OK; ++k)
-        if (!self->places[k].is_known) status = many_ask_alone(self, &self->places[k]);
+    const disc_engine *engine = &self->solver->engine;
+    const uint64_t before = engine->chunks_followed;
+    size_t known = 0, step = self->count / SAMPLES + 1;
+    int is_shared = 0;
+    tdsp_status status = TDSP_OK;
+    self->discs_met = many_discs_met(self);
+    for (size_t first = 0; first < step; ++first) {
+        for (size_t k = first; k < self->count && status == TDSP_OK; k += step) {
+            if (!is_shared && many_pays(self, known, engine->chunks_followed - before)) {
+                is_shared = 1;
+                status = many_share(self);
+            }
+            if (status == TDSP_OK && !self->places[k].is_known) status = many_ask_alone(self, &self->places[k]);
+            ++known;
+        }
+    }
     return status;
 }
 
@@ -221,7 +233,7 @@ tdsp_status tdsp_earliest_arrivals(tdsp_solver *solver, tdsp_point source, doubl
                                    double *arrivals, tdsp_status *statuses)
 {
     if (!solver || (count && (!destinations || !arrivals)) || !(departure >= 0.0) || isinf(departure)) return TDSP_INVALID_ARGUMENT;
-    many_question question = {solver, ENGINE_FORWARD, departure, statuses != NULL, NULL, NULL, 0, 0};
+    many_question question = {solver, ENGINE_FORWARD, departure, statuses != NULL, NULL, NULL, 0, 0, 0.0};
     return many_run(&question, destinations, count, source, arrivals, NULL, statuses);
 }
 
@@ -229,6 +241,6 @@ tdsp_status tdsp_latest_departures(tdsp_solver *solver, const tdsp_point *source
                                    double *departures, double *arrives, tdsp_status *statuses)
 {
     if (!solver || (count && (!sources || !departures)) || !(arrival >= 0.0)) return TDSP_INVALID_ARGUMENT;
-    many_question question = {solver, ENGINE_REVERSE, arrival, 1, NULL, NULL, 0, 0};
+    many_question question = {solver, ENGINE_REVERSE, arrival, 1, NULL, NULL, 0, 0, 0.0};
     return many_run(&question, sources, count, destination, departures, arrives, statuses);
 }

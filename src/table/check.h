@@ -12,6 +12,9 @@ int check_opaque(const tdsp_table *table);
 int check_guides(const tdsp_table *table);
 int check_gaps(const tdsp_table *table);
 
+/* Open bytes that tdsp_table_open() has accepted before: only what keeps reads inside the bytes is checked anew. O(1). */
+tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length);
+
 /*
  * Are a curve's numbers in their range, and so that its polynomials have finite coefficients? Its places and the order of its times are not
  * looked at.

@@ -160,6 +160,16 @@ static void open_span(tdsp_table *table)
     table->by_arrival.last = guide_arrival(table, row);
 }
 
+/* The view of bytes whose sections lie inside them. */
+static int open_view_placed(tdsp_table *view, const unsigned char *bytes, size_t length)
+{
+    uint64_t offsets[FORMAT_SECTIONS_2] = {0};
+    open_view(view, bytes, length);
+    if (!open_sections(view, offsets)) return 0;
+    open_place(view, offsets);
+    return 1;
+}
+
 tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
 {
     if (!table || !bytes) return TDSP_INVALID_ARGUMENT;
@@ -168,13 +178,21 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     if (status != TDSP_OK) return status;
 
     tdsp_table view = {0};
-    uint64_t offsets[FORMAT_SECTIONS_2] = {0};
-    open_view(&view, bytes, length);
-    if (!open_sections(&view, offsets)) return TDSP_BAD_TABLE;
-    open_place(&view, offsets);
+    if (!open_view_placed(&view, bytes, length)) return TDSP_BAD_TABLE;
     if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;
     open_span(&view);
     if (!check_guides(&view) || !check_gaps(&view)) return TDSP_BAD_TABLE;
+    *table = view;
+    return TDSP_OK;
+}
+
+tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length)
+{
+    tdsp_table view = {0};
+    tdsp_status status = open_lengths(bytes, length);
+    if (status != TDSP_OK) return status;
+    if (!open_view_placed(&view, bytes, length)) return TDSP_BAD_TABLE;
+    open_span(&view);
     *table = view;
     return TDSP_OK;
 }

@@ -81,7 +81,7 @@ int answers_run(const AnswerKind *kind, int argc, char **argv, gboolean json, GE
     g_autoptr(GArray) times = times_new();
     g_autoptr(GArray) answers = g_array_new(FALSE, FALSE, sizeof(Answer));
     g_auto(SceneSolver) solver = {0};
-    if (!times_add_all(times, argc, argv, 2, kind->what, error) || !scene_solver_load_for(argv[1], (tdsp_method)kind->method, &solver, error) ||
+    if (!times_add_all(times, argc, argv, 2, kind->what, error) || !scene_solver_load_for(argv[1], &kind->ends, (tdsp_method)kind->method, &solver, error) ||
         !solve(kind, &solver, times, answers, error) ||
         !(json ? print_json(kind, answers, &solver, error) : print_text(kind, answers, error)))
         return CLI_FAILED;

@@ -22,6 +22,7 @@ struct AnswerKind {
     const char *command;
     const char *what;                  /* is asked about, for messages */
     const char *names[ANSWER_NUMBERS]; /* of the numbers, as columns and as keys */
+    SceneEnds ends;
     double within;                     /* the share; 0: exact, without a lower bound */
     guint32 method;                    /* a tdsp_method */
     /* Fill in an answer whose first number is the time asked about. */

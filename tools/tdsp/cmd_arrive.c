@@ -21,9 +21,11 @@ int cmd_arrive(const CliCommand *command, int argc, char **argv, GError **error)
         .command = command->name, .what = "departure", .names = {"departure", "arrival", "travel_time"}, .ask = ask};
     gboolean json = FALSE;
     g_autofree char *within = NULL, *method = NULL;
-    const GOptionEntry entries[] = {SCENE_SOLVER_WITHIN(&within), SCENE_SOLVER_METHOD(&method), G_OPTION_ENTRY_NULL};
+    g_auto(SceneEnds) ends = {0};
+    const GOptionEntry entries[] = {SCENE_SOLVER_WITHIN(&within), SCENE_SOLVER_METHOD(&method), SCENE_ENDS_ENTRIES(&ends), G_OPTION_ENTRY_NULL};
     if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, -1, error) ||
         !scene_solver_parse_within(within, &kind.within, error) || !words_parse_method("--method", method, &kind.method, error))
         return CLI_FAILED;
+    kind.ends = ends;
     return answers_run(&kind, argc, argv, json, error);
 }

@@ -31,10 +31,12 @@ int cmd_depart(const CliCommand *command, int argc, char **argv, GError **error)
     AnswerKind kind = {.command = command->name, .what = "arrival", .names = {"arrival", "departure", "arrives"}, .ask = ask};
     gboolean json = FALSE;
     g_autofree char *method = NULL;
-    const GOptionEntry entries[] = {SCENE_SOLVER_METHOD(&method), G_OPTION_ENTRY_NULL};
+    g_auto(SceneEnds) ends = {0};
+    const GOptionEntry entries[] = {SCENE_SOLVER_METHOD(&method), SCENE_ENDS_ENTRIES(&ends), G_OPTION_ENTRY_NULL};
     if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, -1, error) ||
         !words_parse_method("--method", method, &kind.method, error))
         return CLI_FAILED;
     if (json) kind.explain = explain; /* that takes more searches; the text says nothing of it */
+    kind.ends = ends;
     return answers_run(&kind, argc, argv, json, error);
 }

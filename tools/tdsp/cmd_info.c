@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "file_in.h"
 #include "json_out.h"
+#include "matrix_pair.h"
 #include "numbers.h"
 #include "shape_asked.h"
 #include "tdsp/table.h"
@@ -211,7 +212,10 @@ int cmd_info(const CliCommand *command, int argc, char **argv, GError **error)
     g_auto(FileIn) file = {0};
     g_auto(Facts) facts = {0};
     if (!cli_parse(command, NULL, &json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error) ||
-        !file_in_load_table(argv[1], &file, error) || !gather(&file.table, &facts, error))
+        !file_in_load_any(argv[1], &file, error))
+        return CLI_FAILED;
+    if (file.kind == FILE_MATRIX) return matrix_pair_print(&file, json, error) ? CLI_DONE : CLI_FAILED;
+    if (!file_in_need_table(&file, error) || !gather(&file.table, &facts, error))
         return CLI_FAILED;
     if (!(json ? print_json(argv[1], &facts, error) : print_text(argv[1], &facts, error))) return CLI_FAILED;
     return CLI_DONE;

@@ -12,6 +12,7 @@
 #include "times.h"
 
 typedef struct Path {
+    const SceneEnds *ends;
     double departure, arrival;
     double within, lower; /* 0: exact, without a lower bound */
     tdsp_status status;
@@ -38,7 +39,7 @@ static gboolean from_scene(const FileIn *file, Path *path, GError **error)
 {
     SceneFile scene;
     g_auto(SceneSolver) solver = {0};
-    if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
+    if (!scene_file_parse_between(cli_file_name(file->path), file->text, file->length, path->ends, &scene, error) ||
         !scene_solver_take(&scene, &solver, error) || !solve(&solver, path, error))
         return FALSE;
     path->legs = path->status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
@@ -151,9 +152,11 @@ int cmd_path(const CliCommand *command, int argc, char **argv, GError **error)
 {
     gboolean json = FALSE;
     g_autofree char *at_text = NULL, *within = NULL;
+    g_auto(SceneEnds) ends = {0};
     const GOptionEntry entries[] = {
         {"at", 0, 0, G_OPTION_ARG_STRING, &at_text, "Print where the robot is at TIME", "TIME"},
         SCENE_SOLVER_WITHIN(&within),
+        SCENE_ENDS_ENTRIES(&ends),
         G_OPTION_ENTRY_NULL,
     };
     g_autoptr(GArray) times = times_new();
@@ -164,6 +167,8 @@ int cmd_path(const CliCommand *command, int argc, char **argv, GError **error)
         !scene_solver_parse_within(within, &path.within, error) || !file_in_load(argv[1], &file, error))
         return CLI_FAILED;
     path.departure = g_array_index(times, double, 0);
+    path.ends = &ends;
+    if (!scene_ends_fit(&ends, &file, error)) return CLI_FAILED;
     if (!(file.kind == FILE_TABLE ? from_table(&file, &path, error) : from_scene(&file, &path, error))) return CLI_FAILED;
     if (!print(&path, at_text ? &g_array_index(times, double, 1) : NULL, json, error)) return CLI_FAILED;
     return cli_answer(path.status == TDSP_OK);

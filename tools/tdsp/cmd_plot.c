@@ -15,6 +15,7 @@
 typedef struct Wanted {
     gboolean json;
     gboolean jumps;
+    SceneEnds ends;
     char *output, *depart_text, *horizon_text;
     double departure, horizon;
 } Wanted;
@@ -24,6 +25,7 @@ static void wanted_clear(Wanted *wanted)
     g_free(wanted->output);
     g_free(wanted->depart_text);
     g_free(wanted->horizon_text);
+    scene_ends_clear(&wanted->ends);
 }
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Wanted, wanted_clear)
 
@@ -52,7 +54,7 @@ static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *draw
     g_auto(SceneSolver) solver = {0};
     ScenePicture picture = {.scene = &solver.file, .departure = wanted->departure};
     tdsp_jumps *jumps = NULL;
-    if (!scene_file_parse(cli_file_name(file->path), file->text, file->length, &scene, error) ||
+    if (!scene_file_parse_between(cli_file_name(file->path), file->text, file->length, &wanted->ends, &scene, error) ||
         !scene_solver_take(&scene, &solver, error) ||
         !scene_solver_arrival(&solver, wanted->departure, &picture.arrival, &picture.status, error))
         return FALSE;
@@ -117,13 +119,16 @@ int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error)
         {"depart", 0, 0, G_OPTION_ARG_STRING, &wanted.depart_text, "Departure to draw (default 0), or to mark in a table", "T"},
         {"jumps", 0, 0, G_OPTION_ARG_NONE, &wanted.jumps, "Mark in a scene the gaps whose closing makes the travel time jump", NULL},
         {"horizon", 0, 0, G_OPTION_ARG_STRING, &wanted.horizon_text, "Look for jumps up to this departure (with --jumps)", "H"},
+        SCENE_ENDS_ENTRIES(&wanted.ends),
         G_OPTION_ENTRY_NULL,
     };
     if (!cli_parse(command, entries, &wanted.json, &argc, &argv, error) || !cli_positional(command, argc, 1, 1, error) ||
         !parse_wanted(&wanted, error))
         return CLI_FAILED;
     const char *const inputs[] = {argv[1], NULL};
-    if (!file_out_check(wanted.output, inputs, error) || !file_in_load(argv[1], &file, error)) return CLI_FAILED;
+    if (!file_out_check(wanted.output, inputs, error) || !file_in_load(argv[1], &file, error) ||
+        !scene_ends_fit(&wanted.ends, &file, error))
+        return CLI_FAILED;
     gboolean done =
         file.kind == FILE_TABLE ? draw_table(&file, &wanted, &drawn, error) : draw_scene(&file, &wanted, &drawn, error);
     if (!done || !print(&wanted, &file, &drawn, error)) return CLI_FAILED;

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "file_in.h"
 #include "json_out.h"
+#include "matrix_pair.h"
 #include "text_table.h"
 #include "times.h"
 
@@ -12,6 +13,7 @@ typedef struct Asked {
     gboolean by_arrival;
     char *table; /* the first positional argument */
     char *times_file;
+    char *from, *to; /* of a matrix: which table */
     GArray *departures; /* given before --arrive-by, or without it */
     GArray *arrivals;   /* given after it */
 } Asked;
@@ -20,6 +22,8 @@ static void asked_clear(Asked *asked)
 {
     g_free(asked->table);
     g_free(asked->times_file);
+    g_free(asked->from);
+    g_free(asked->to);
     g_clear_pointer(&asked->departures, g_array_unref);
     g_clear_pointer(&asked->arrivals, g_array_unref);
 }
@@ -53,6 +57,8 @@ static gboolean parse(const CliCommand *command, Asked *asked, int argc, char **
          "The numbers that follow are arrivals: ask for latest departures", "A..."},
         {"times", 0, 0, G_OPTION_ARG_FILENAME, &asked->times_file,
          "Read times from FILE (-: standard input), one a line, # comments", "FILE"},
+        {"from", 0, 0, G_OPTION_ARG_STRING, &asked->from, "Of a matrix: the source, by number (from 0) or name", "I"},
+        {"to", 0, 0, G_OPTION_ARG_STRING, &asked->to, "Of a matrix: the destination, likewise", "J"},
         {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_CALLBACK, (gpointer)(void *)(gsize)take_positional, NULL, NULL},
         G_OPTION_ENTRY_NULL,
     };
@@ -99,6 +105,35 @@ static gboolean look_up(const tdsp_table *table, const Asked *asked, Answers *an
         if (answers->statuses[i] != TDSP_OK) answers->first[i] = answers->second[i] = INFINITY;
     }
     return status == TDSP_OK ? TRUE : cli_fail_status(error, "query", status);
+}
+
+/* All the times have this one answer. */
+static void answer_all(const Asked *asked, tdsp_status status, Answers *answers)
+{
+    answers->count = asked->by_arrival ? asked->arrivals->len : asked->departures->len;
+    answers->first = g_new(double, answers->count);
+    answers->second = g_new(double, answers->count);
+    answers->statuses = g_new(tdsp_status, answers->count);
+    for (gsize i = 0; i < answers->count; i++) {
+        answers->first[i] = answers->second[i] = INFINITY;
+        answers->statuses[i] = status;
+    }
+}
+
+/* In a table, or in that of a matrix's pair. */
+static gboolean answer(FileIn *file, const Asked *asked, Answers *answers, GError **error)
+{
+    guint64 i, j;
+    if (file->kind == FILE_MATRIX) {
+        if (!matrix_pair_find(file, asked->from, asked->to, &i, &j, error)) return FALSE;
+        tdsp_status status = tdsp_matrix_table(&file->matrix, i, j, &file->table);
+        if (status == TDSP_OK) return look_up(&file->table, asked, answers, error);
+        answer_all(asked, status, answers);
+        return TRUE;
+    }
+    if (!file_in_need_table(file, error)) return FALSE;
+    if (asked->from || asked->to) return cli_fail(error, CLI_USAGE, "--from and --to go with a matrix; %s is a table", cli_file_name(file->path));
+    return look_up(&file->table, asked, answers, error);
 }
 
 typedef struct Names {
@@ -152,8 +187,8 @@ int cmd_query(const CliCommand *command, int argc, char **argv, GError **error)
     g_auto(Asked) asked = {0};
     g_auto(FileIn) file = {0};
     g_auto(Answers) answers = {0};
-    if (!parse(command, &asked, argc, argv, error) || !file_in_load_table(asked.table, &file, error) ||
-        !look_up(&file.table, &asked, &answers, error))
+    if (!parse(command, &asked, argc, argv, error) || !file_in_load_any(asked.table, &file, error) ||
+        !answer(&file, &asked, &answers, error))
         return CLI_FAILED;
     if (!(asked.json ? print_json(&asked, &answers, error) : print_text(&asked, &answers, error))) return CLI_FAILED;
     for (gsize i = 0; i < answers.count; i++)

@@ -4,6 +4,7 @@
 #include "commands.h"
 #include "file_in.h"
 #include "json_out.h"
+#include "matrix_pair.h"
 #include "numbers.h"
 #include "scene_solver.h"
 #include "verify_report.h"
@@ -60,6 +61,12 @@ static gboolean check_table(const FileIn *file, const SceneSolver *solver, guint
     return deep == 0 || verify_deep_table(report, solver, &file->table, deep, error);
 }
 
+static gboolean check_matrix(const FileIn *file, const SceneSolver *solver, guint deep, VerifyReport *report, GError **error)
+{
+    if (deep > 0) return cli_fail(error, CLI_USAGE, "--deep goes with a table or a path");
+    return matrix_pair_verify(report, solver->file.scene, &file->matrix, error);
+}
+
 static gboolean parse_deep(const char *text, guint *deep, GError **error)
 {
     guint64 number = 0;
@@ -74,19 +81,22 @@ int cmd_verify(const CliCommand *command, int argc, char **argv, GError **error)
     gboolean json = FALSE;
     guint deep = 0;
     g_autofree char *deep_text = NULL;
+    g_auto(SceneEnds) ends = {0};
     const GOptionEntry entries[] = {
         {"deep", 0, 0, G_OPTION_ARG_STRING, &deep_text, "Solve N departures again, forwards and backwards in time", "N"},
+        SCENE_ENDS_ENTRIES(&ends),
         G_OPTION_ENTRY_NULL,
     };
     g_auto(SceneSolver) solver = {0};
     g_auto(FileIn) file = {0};
     g_auto(VerifyReport) report = verify_report_new();
     if (!cli_parse(command, entries, &json, &argc, &argv, error) || !cli_positional(command, argc, 2, 2, error) ||
-        !parse_deep(deep_text, &deep, error) || !scene_solver_load(argv[1], &solver, error) ||
-        !file_in_load(argv[2], &file, error))
+        !parse_deep(deep_text, &deep, error) || !scene_solver_load_for(argv[1], &ends, TDSP_METHOD_AUTO, &solver, error) ||
+        !file_in_load_any(argv[2], &file, error))
         return CLI_FAILED;
-    gboolean done = file.kind == FILE_TABLE ? check_table(&file, &solver, deep, &report, error)
-                                            : check_path(&file, &solver, deep, &report, error);
+    gboolean done = file.kind == FILE_TABLE    ? check_table(&file, &solver, deep, &report, error)
+                    : file.kind == FILE_MATRIX ? check_matrix(&file, &solver, deep, &report, error)
+                                               : check_path(&file, &solver, deep, &report, error);
     if (!done || !(json ? print_json(&report, error) : print_text(&report, error))) return CLI_FAILED;
     return cli_answer(verify_report_ok(&report));
 }

@@ -11,6 +11,7 @@ int cmd_path(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_jumps(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_envelope(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_build(const CliCommand *command, int argc, char **argv, GError **error);
+int cmd_matrix(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_query(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_info(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_verify(const CliCommand *command, int argc, char **argv, GError **error);

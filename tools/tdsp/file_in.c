@@ -47,7 +47,7 @@ static gboolean looks_like_json(const char *text)
     return *text == '{' || *text == '[';
 }
 
-gboolean file_in_load(const char *path, FileIn *file, GError **error)
+gboolean file_in_load_any(const char *path, FileIn *file, GError **error)
 {
     FileIn loaded = {.path = path};
     if (!file_in_read(path, &loaded.text, &loaded.length, error)) return FALSE;
@@ -56,6 +56,8 @@ gboolean file_in_load(const char *path, FileIn *file, GError **error)
         loaded.kind = FILE_JSON;
     } else if ((status = tdsp_table_open(&loaded.table, loaded.text, loaded.length)) == TDSP_OK) {
         loaded.kind = FILE_TABLE;
+    } else if (status == TDSP_BAD_MAGIC && (status = tdsp_matrix_open(&loaded.matrix, loaded.text, loaded.length)) == TDSP_OK) {
+        loaded.kind = FILE_MATRIX;
     } else {
         gboolean foreign = status == TDSP_BAD_MAGIC || loaded.length == 0;
         file_in_clear(&loaded);
@@ -66,13 +68,31 @@ gboolean file_in_load(const char *path, FileIn *file, GError **error)
     return TRUE;
 }
 
+gboolean file_in_load(const char *path, FileIn *file, GError **error)
+{
+    FileIn loaded;
+    if (!file_in_load_any(path, &loaded, error)) return FALSE;
+    if (loaded.kind == FILE_MATRIX) {
+        file_in_clear(&loaded);
+        return cli_fail(error, CLI_INPUT, "%s: a matrix, which query, info and verify read", cli_file_name(path));
+    }
+    *file = loaded;
+    return TRUE;
+}
+
+gboolean file_in_need_table(const FileIn *file, GError **error)
+{
+    if (file->kind == FILE_TABLE) return TRUE;
+    return cli_fail(error, CLI_INPUT, "%s: not a table (make one of a scene with tdsp build)", cli_file_name(file->path));
+}
+
 gboolean file_in_load_table(const char *path, FileIn *file, GError **error)
 {
     FileIn loaded;
     if (!file_in_load(path, &loaded, error)) return FALSE;
-    if (loaded.kind != FILE_TABLE) {
+    if (!file_in_need_table(&loaded, error)) {
         file_in_clear(&loaded);
-        return cli_fail(error, CLI_INPUT, "%s: not a table (make one of a scene with tdsp build)", cli_file_name(path));
+        return FALSE;
     }
     *file = loaded;
     return TRUE;

@@ -4,11 +4,13 @@
 
 #include <glib.h>
 
+#include "tdsp/matrix.h"
 #include "tdsp/table.h"
 
 typedef enum FileKind {
     FILE_JSON, /* a scene, or a path */
-    FILE_TABLE
+    FILE_TABLE,
+    FILE_MATRIX /* by file_in_load_any() only */
 } FileKind;
 
 /* Read all of `path` ("-": standard input). The result ends with a zero byte that does not count. */
@@ -21,10 +23,15 @@ typedef struct FileIn {
     gsize length;
     FileKind kind;
     tdsp_table table;
+    tdsp_matrix matrix;
 } FileIn;
 
 gboolean file_in_load(const char *path, FileIn *file, GError **error);
+/* The same, and matrices too. */
+gboolean file_in_load_any(const char *path, FileIn *file, GError **error);
 gboolean file_in_load_table(const char *path, FileIn *file, GError **error);
+/* An error unless it is a table. */
+gboolean file_in_need_table(const FileIn *file, GError **error);
 void file_in_clear(FileIn *file);
 G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(FileIn, file_in_clear)
 

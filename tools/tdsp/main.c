@@ -55,10 +55,15 @@ static const CliCommand commands[] = {
      "times within 1 + E (arrival), or arrivals within D (absolute).\n\n"
      "Example:\n  tdsp build examples/scenes/two-discs.json -o two-discs.tdsp --epsilon 0.01",
      cmd_build},
+    {"matrix", "SCENE -o MATRIX", "tables between many places, in one file",
+     "Build the tables between all places of two lists, of sources and of destinations, into one file.\n"
+     "A list has one place a line: x,y or x y, with a name behind it where wanted; # begins a comment.\n\n"
+     "Example:\n  tdsp matrix examples/scenes/two-discs.json --sources from.csv --destinations to.csv -o matrix.tdspm",
+     cmd_matrix},
     {"query", "TABLE T...", "certified arrival intervals, from a table",
      "Print for each departure T an interval that holds the earliest arrival for certain. With\n"
      "--arrive-by, for each arrival A a departure that arrives by A for certain, and one after\n"
-     "which nothing can.\n\n"
+     "which nothing can. Of a matrix, --from and --to say between which places, by number or name.\n\n"
      "Examples:\n  tdsp query two-discs.tdsp 0 2.5 5\n  tdsp query two-discs.tdsp --arrive-by 30.35 33\n"
      "  tdsp query two-discs.tdsp --times departures.txt",
      cmd_query},

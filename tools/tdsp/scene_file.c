@@ -110,6 +110,36 @@ static gboolean read_root(const JsonValue *root, Reading *reading, GError **erro
     return wrong ? json_read_fail(&root->place, error, "%s", wrong) : TRUE;
 }
 
+void scene_ends_clear(SceneEnds *ends)
+{
+    g_clear_pointer(&ends->from, g_free);
+    g_clear_pointer(&ends->to, g_free);
+}
+
+gboolean scene_ends_fit(const SceneEnds *ends, const FileIn *file, GError **error)
+{
+    if (file->kind == FILE_JSON || (!ends->from && !ends->to)) return TRUE;
+    return cli_fail(error, CLI_USAGE, "--from and --to go with a scene; %s is a table", cli_file_name(file->path));
+}
+
+/* "X,Y" */
+static gboolean parse_end(const char *option, const char *text, tdsp_point *place, GError **error)
+{
+    g_auto(GStrv) parts = text ? g_strsplit(text, ",", 0) : NULL;
+    if (!parts) return TRUE;
+    const char *wrong = g_strv_length(parts) == 2 ? number_parse(g_strstrip(parts[0]), &place->x) : "must be two numbers, X,Y";
+    if (!wrong) wrong = number_parse(g_strstrip(parts[1]), &place->y);
+    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
+}
+
+static gboolean replace_ends(const SceneEnds *ends, tdsp_journey *journey, GError **error)
+{
+    if (!ends) return TRUE;
+    if (!parse_end("--from", ends->from, &journey->source, error) || !parse_end("--to", ends->to, &journey->destination, error)) return FALSE;
+    const char *wrong = tdsp_journey_check(journey);
+    return wrong ? cli_fail(error, CLI_USAGE, "--from, --to: %s", wrong) : TRUE;
+}
+
 static gboolean prepare(const char *file, Reading *reading, GError **error)
 {
     Stopwatch watch = stopwatch_start();
@@ -119,7 +149,7 @@ static gboolean prepare(const char *file, Reading *reading, GError **error)
     return status == TDSP_OK ? TRUE : cli_fail_status(error, file, status);
 }
 
-gboolean scene_file_parse(const char *file, const char *text, gsize length, SceneFile *scene, GError **error)
+gboolean scene_file_parse_between(const char *file, const char *text, gsize length, const SceneEnds *ends, SceneFile *scene, GError **error)
 {
     g_autoptr(JsonParser) parser = NULL;
     JsonValue root;
@@ -128,7 +158,7 @@ gboolean scene_file_parse(const char *file, const char *text, gsize length, Scen
                        .discs = g_array_new(FALSE, FALSE, sizeof(tdsp_growing_disc)),
                        .kept = g_ptr_array_new_with_free_func(g_free)};
     reading.out.file = g_strdup(file);
-    gboolean read = read_root(&root, &reading, error) && prepare(file, &reading, error);
+    gboolean read = read_root(&root, &reading, error) && replace_ends(ends, &reading.journey, error) && prepare(file, &reading, error);
     g_hash_table_unref(reading.warned);
     g_array_unref(reading.discs);
     g_ptr_array_unref(reading.kept);
@@ -139,12 +169,22 @@ gboolean scene_file_parse(const char *file, const char *text, gsize length, Scen
     return read;
 }
 
+gboolean scene_file_parse(const char *file, const char *text, gsize length, SceneFile *scene, GError **error)
+{
+    return scene_file_parse_between(file, text, length, NULL, scene, error);
+}
+
 gboolean scene_file_load(const char *path, SceneFile *scene, GError **error)
+{
+    return scene_file_load_between(path, NULL, scene, error);
+}
+
+gboolean scene_file_load_between(const char *path, const SceneEnds *ends, SceneFile *scene, GError **error)
 {
     g_auto(FileIn) file = {0};
     if (!file_in_load(path, &file, error)) return FALSE;
     if (file.kind == FILE_TABLE) return cli_fail(error, CLI_INPUT, "%s: a table, where a scene is needed", cli_file_name(path));
-    return scene_file_parse(cli_file_name(path), file.text, file.length, scene, error);
+    return scene_file_parse_between(cli_file_name(path), file.text, file.length, ends, scene, error);
 }
 
 gboolean scene_file_fail(const SceneFile *scene, const char *what, tdsp_status status, GError **error)

@@ -4,6 +4,7 @@
 
 #include <glib.h>
 
+#include "file_in.h"
 #include "tdsp/scene.h"
 #include "tdsp/status.h"
 
@@ -15,6 +16,23 @@ typedef struct SceneFile {
     tdsp_scene *scene;
     double prepare_seconds;
 } SceneFile;
+
+/* Other ends for the scene's journey, "X,Y" as given; NULL: the scene's own. */
+typedef struct SceneEnds {
+    char *from, *to;
+} SceneEnds;
+#define SCENE_ENDS_ENTRIES(ends)                                                                                                 \
+    {"from", 0, 0, G_OPTION_ARG_STRING, &(ends)->from, "Leave from here instead of the scene's source", "X,Y"},                 \
+    {"to", 0, 0, G_OPTION_ARG_STRING, &(ends)->to, "Go here instead of to the scene's destination", "X,Y"}
+void scene_ends_clear(SceneEnds *ends);
+G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(SceneEnds, scene_ends_clear)
+
+/* An error where ends are given beside a table, which has its own. */
+gboolean scene_ends_fit(const SceneEnds *ends, const FileIn *file, GError **error);
+
+/* The two below with other ends; `ends` may be NULL. */
+gboolean scene_file_load_between(const char *path, const SceneEnds *ends, SceneFile *scene, GError **error);
+gboolean scene_file_parse_between(const char *file, const char *text, gsize length, const SceneEnds *ends, SceneFile *scene, GError **error);
 
 /* Read the scene file `path` ("-": standard input). */
 gboolean scene_file_load(const char *path, SceneFile *scene, GError **error);

@@ -32,15 +32,15 @@ gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
     return take_for(file, TDSP_METHOD_AUTO, out, error);
 }
 
-gboolean scene_solver_load_for(const char *path, tdsp_method method, SceneSolver *out, GError **error)
+gboolean scene_solver_load_for(const char *path, const SceneEnds *ends, tdsp_method method, SceneSolver *out, GError **error)
 {
     SceneFile file;
-    return scene_file_load(path, &file, error) && take_for(&file, method, out, error);
+    return scene_file_load_between(path, ends, &file, error) && take_for(&file, method, out, error);
 }
 
 gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error)
 {
-    return scene_solver_load_for(path, TDSP_METHOD_AUTO, out, error);
+    return scene_solver_load_for(path, NULL, TDSP_METHOD_AUTO, out, error);
 }
 
 void scene_solver_clear(SceneSolver *solver)

@@ -12,8 +12,8 @@ typedef struct SceneSolver {
 } SceneSolver;
 
 gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error);
-/* The same with a method; one that does not apply to the scene is a usage error. */
-gboolean scene_solver_load_for(const char *path, tdsp_method method, SceneSolver *out, GError **error);
+/* The same between other ends (NULL: its own) and with a method; one that does not apply to the scene is a usage error. */
+gboolean scene_solver_load_for(const char *path, const SceneEnds *ends, tdsp_method method, SceneSolver *out, GError **error);
 /* Make a solver for a scene file that was read; takes the file over. */
 gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error);
 void scene_solver_clear(SceneSolver *solver);

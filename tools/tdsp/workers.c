@@ -111,6 +111,11 @@ guint workers_count(const Workers *workers)
     return workers->count;
 }
 
+tdsp_solver *workers_solver(const Workers *workers, gsize worker)
+{
+    return workers->solvers[worker];
+}
+
 const tdsp_oracle *workers_oracles(const Workers *workers)
 {
     return workers->oracles;

@@ -15,6 +15,7 @@ void workers_free(Workers *workers);
 G_DEFINE_AUTOPTR_CLEANUP_FUNC(Workers, workers_free)
 
 guint workers_count(const Workers *workers);
+tdsp_solver *workers_solver(const Workers *workers, gsize worker);
 const tdsp_oracle *workers_oracles(const Workers *workers); /* one a worker */
 
 /* A tdsp_run_tasks whose context is the Workers. Returns when all tasks are done. */

@@ -33,7 +33,7 @@ static slow_jet rates_jet(const void *ctx, size_t piece, double time)
     return (slow_jet){radius + g->values[piece] * (time - g->times[piece]), g->values[piece], 0.0};
 }
 
-/* A kink's own rate is the one that holds from then on; just before it is the other. After the end the rate stays. */
+/* A kink's own rate is the one that holds from then on; just before it, also by rounding, is the other. After the end the rate stays. */
 static slow_jet law_jet(const void *ctx, size_t piece, double time)
 {
     const tdsp_growing_disc *disc = ctx;
@@ -45,7 +45,7 @@ static slow_jet law_jet(const void *ctx, size_t piece, double time)
         g->law(g->ctx, end, &radius, &rate);
         return (slow_jet){radius + rate * (time - end), rate, 0.0};
     }
-    const double inside = fmin(time, end - 1e-15 * end);
+    const double inside = fmax(begin, fmin(time, end - 1e-15 * end));
     g->law(g->ctx, inside, &radius, &rate);
     const double middle = fmax(begin + step, fmin(end - 2.0 * step, inside));
     g->law(g->ctx, middle - step, &ignored, &earlier);

@@ -22,17 +22,10 @@
 /* The last terms of a panel's series may be as large as this share of one radian and of the panel's angle, and of a length at its radius: just over their rounding. */
 #define SERIES_ERROR 4e-16
 
-static polynomial piece_polynomial(const law_piece *piece)
-{
-    polynomial p = {(int)piece->degree, {0}};
-    for (uint32_t k = 0; k <= piece->degree; ++k) p.c[k] = piece->c[k];
-    return p;
-}
-
 /* R'^2 + R R'' - 1, whose sign says whether g is convex. */
 static polynomial piece_convexity(const law_piece *piece)
 {
-    polynomial radius = piece_polynomial(piece);
+    polynomial radius = law_piece_polynomial(piece);
     polynomial rate = polynomial_derivative(&radius), bend = polynomial_derivative(&rate);
     polynomial squared = polynomial_times(&rate, &rate), bent = polynomial_times(&radius, &bend);
     if (squared.degree < bent.degree) squared.degree = bent.degree;
@@ -65,12 +58,13 @@ static void cuts_insert(double *cuts, int *count, double cut)
     cuts[at] = cut;
 }
 
-/* Cut [from, to] of a piece; times since the piece's start. */
-static tdsp_status piece_cut(growth_shape *shape, const tdsp_allocator *allocator, uint32_t piece, double from, double to)
+/* Cut [from, to] of a piece, times since the piece's start; the last span ends at `end`, which is `to` to rounding, and where the next one begins. */
+static tdsp_status piece_cut(growth_shape *shape, const tdsp_allocator *allocator, uint32_t piece, double from, double to, double end)
 {
     const law_piece *law = &shape->pieces[piece];
-    polynomial tests[3] = {piece_convexity(law), piece_polynomial(law), piece_polynomial(law)};
-    double cuts[MOST_CUTS], roots[POLYNOMIAL_DEGREE], begin = from;
+    double at = law->start + from;
+    polynomial tests[3] = {piece_convexity(law), law_piece_polynomial(law), law_piece_polynomial(law)};
+    double cuts[MOST_CUTS], roots[POLYNOMIAL_DEGREE];
     int count = 0;
     tests[1] = polynomial_derivative(&tests[1]);
     tests[1].c[0] -= 1.0;
@@ -81,10 +75,11 @@ static tdsp_status piece_cut(growth_shape *shape, const tdsp_allocator *allocato
     }
     tdsp_status status = TDSP_OK;
     for (int i = 0; i < count && status == TDSP_OK; ++i) {
-        status = span_add(shape, allocator, piece, law->start + begin, law->start + cuts[i]);
-        begin = cuts[i];
+        double cut = fmin(law->start + cuts[i], end);
+        status = span_add(shape, allocator, piece, at, cut);
+        at = cut;
     }
-    return status == TDSP_OK ? span_add(shape, allocator, piece, law->start + begin, law->start + to) : status;
+    return status == TDSP_OK ? span_add(shape, allocator, piece, at, end) : status;
 }
 
 /* The last piece has no end: intervals of doubling length, up to where no coefficient but the first counts any more. */
@@ -101,7 +96,7 @@ static tdsp_status last_piece_cut(growth_shape *shape, const tdsp_allocator *all
     for (uint32_t k = 0; k < law->degree; ++k) most = fmax(most, pow((fabs(law->c[k]) + 1.0) / lead, 1.0 / (double)(law->degree - k)));
     double end = 4.0 * (double)law->degree * fmax(most, 1.0);
     while (from < end && status == TDSP_OK) {
-        status = piece_cut(shape, allocator, piece, from, to);
+        status = piece_cut(shape, allocator, piece, from, to, law->start + to);
         from = to;
         to *= 2.0;
     }
@@ -113,7 +108,7 @@ static tdsp_status shape_cut(growth_shape *shape, const tdsp_allocator *allocato
     tdsp_status status = TDSP_OK;
     uint32_t last = shape->piece_count - 1;
     for (uint32_t k = 0; k < last && status == TDSP_OK; ++k)
-        status = piece_cut(shape, allocator, k, 0.0, shape->pieces[k + 1].start - shape->pieces[k].start);
+        status = piece_cut(shape, allocator, k, 0.0, shape->pieces[k + 1].start - shape->pieces[k].start, shape->pieces[k + 1].start);
     return status == TDSP_OK ? last_piece_cut(shape, allocator, last) : status;
 }
 

@@ -39,7 +39,7 @@ def the_interval_holds_the_exact_arrival_and_keeps_its_promise():
 @test
 def json_has_the_share_and_a_lower_bound_beside_the_promised_keys():
     answer = done("arrive", scene(), 0, 1000, "--within", 0.25, "--json").json
-    expect_equal(sorted(answer), ["prepare_seconds", "results", "within"])
+    expect_equal(sorted(answer), ["method", "prepare_seconds", "results", "within"])
     expect_equal(answer["within"], 0.25)
     for one in answer["results"]:
         expect_equal(sorted(one), ["arrival", "departure", "lower", "seconds", "status", "travel_time"])
@@ -57,7 +57,7 @@ def text_has_the_lower_bound_as_its_last_column():
 
 @test
 def without_the_option_everything_is_exact():
-    expect_equal(sorted(done("arrive", scene(), 0, "--json").json), ["prepare_seconds", "results"])
+    expect_equal(sorted(done("arrive", scene(), 0, "--json").json), ["method", "prepare_seconds", "results"])
     expect("lower" not in done("path", scene(), 12, "--json").json, "a lower bound in an exact path")
     expect("lower" not in done("path", scene(), 12).out, "a lower bound in an exact path")
 

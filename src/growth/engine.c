@@ -20,33 +20,46 @@ static tdsp_status push_label(growth_engine *engine, label_kind kind, uint32_t i
     return tdsp_search_push(engine->open, &label);
 }
 
+/* A motion, and who stops it. */
+typedef struct blocked_query {
+    growth_engine *engine;
+    const sight_line *line;
+    uint32_t from, to;       /* the discs that it leaves and meets, */
+    uint32_t left, met;      /* on these runs; */
+    uint32_t except;         /* this one does not count */
+    growth_hit first;
+} blocked_query;
+
+static int visit_blocked(void *ctx, uint32_t disc)
+{
+    blocked_query *query = ctx;
+    const growth_question *question = &query->engine->question;
+    uint32_t left = disc == query->from ? query->left : SHAPE_NONE, met = disc == query->to ? query->met : SHAPE_NONE;
+    double time;
+    if (disc == query->except) return 1;
+    if (!sight_is_blocked(engine_shape(query->engine, disc), question->sign, query->line, query->first.time, left, met, &time)) return 1;
+    query->first.disc = disc;
+    query->first.time = time;
+    return question->explain;
+}
+
 int growth_leg_is_blocked(growth_engine *engine, const growth_leg *leg, growth_hit *hit)
 {
-    uint32_t from = leg->ride == GROWTH_NONE ? GROWTH_NONE : engine->rides[leg->ride].disc;
-    growth_hit first = {GROWTH_NONE, leg->arrive};
+    const growth_ride *ride = leg->ride == GROWTH_NONE ? NULL : &engine->rides[leg->ride];
+    blocked_query query = {engine, &leg->line, GROWTH_NONE, leg->disc, SHAPE_NONE, leg->run, GROWTH_NONE, {GROWTH_NONE, leg->arrive}};
+    if (ride) query.from = ride->disc;
+    if (ride) query.left = ride->run;
     ++engine->legs_tested;
-    for (uint32_t i = 0; i < engine->member_count; ++i) {
-        uint32_t disc = engine->members[i];
-        uint32_t left = disc == from ? engine->rides[leg->ride].run : SHAPE_NONE, met = disc == leg->disc ? leg->run : SHAPE_NONE;
-        double time;
-        if (!sight_is_blocked(engine_shape(engine, disc), engine->question.sign, &leg->line, first.time, left, met, &time)) continue;
-        first.disc = disc;
-        first.time = time;
-        if (!engine->question.explain) break;
-    }
-    *hit = first;
-    return first.disc != GROWTH_NONE;
+    reach_line(&engine->reach, &leg->line, leg->arrive, visit_blocked, &query);
+    *hit = query.first;
+    return hit->disc != GROWTH_NONE;
 }
 
 int growth_line_is_blocked(growth_engine *engine, const sight_line *line, double end, uint32_t except)
 {
-    double time;
-    for (uint32_t i = 0; i < engine->member_count; ++i) {
-        uint32_t disc = engine->members[i];
-        if (disc == except) continue;
-        if (sight_is_blocked(engine_shape(engine, disc), engine->question.sign, line, end, SHAPE_NONE, SHAPE_NONE, &time)) return 1;
-    }
-    return 0;
+    blocked_query query = {engine, line, GROWTH_NONE, GROWTH_NONE, SHAPE_NONE, SHAPE_NONE, except, {GROWTH_NONE, end}};
+    reach_line(&engine->reach, line, end, visit_blocked, &query);
+    return query.first.disc != GROWTH_NONE;
 }
 
 /* Does the disc that stops a robot cover the goal by then? */
@@ -196,6 +209,23 @@ static double search_bound(void *ctx, const tdsp_label *label)
     return self->is_begun ? label_bound(self->engine, label) : 0.0;
 }
 
+/* Journeys this many times as long as the straight way are looked for in the index. */
+#define WINDOW 4.0
+
+static tdsp_status members_reach(growth_engine *engine)
+{
+    const growth_question *question = &engine->question;
+    double last = fmin(question->limit, question->time + WINDOW * point_distance(question->start, question->goal));
+    reach_question ask = {engine->shapes, engine->members, engine->member_count, question->sign, question->time, fmax(last, question->time)};
+    if (question->sign < 0.0) {
+        ask.from = fmax(-question->limit, 0.0);
+        ask.until = -question->time;
+    }
+    tdsp_status status = reach_build(&engine->reach, &engine->allocator, &ask);
+    if (status == TDSP_OK) reach_limit(&engine->reach, question->goal, question->limit);
+    return status;
+}
+
 tdsp_status growth_run(growth_engine *engine, const growth_question *question)
 {
     start_label begin = {engine, 0};
@@ -211,5 +241,6 @@ tdsp_status growth_run(growth_engine *engine, const growth_question *question)
     ++engine->runs;
     for (uint32_t i = 0; i < engine->member_count; ++i)
         if (sight_is_inside(engine_shape(engine, engine->members[i]), question->sign, question->start, question->time)) return TDSP_OK;
-    return tdsp_search_run(engine->open, &problem, &first, 1, NULL);
+    tdsp_status status = members_reach(engine);
+    return status == TDSP_OK ? tdsp_search_run(engine->open, &problem, &first, 1, NULL) : status;
 }

@@ -9,7 +9,7 @@
 #ifndef GROWTH_ENGINE_H
 #define GROWTH_ENGINE_H
 
-#include "growth/sight.h"
+#include "growth/reach.h"
 #include "tdsp/search.h"
 
 #define GROWTH_NONE 0xffffffffu
@@ -65,6 +65,7 @@ typedef struct growth_engine {
     uint32_t shape_count;
     uint32_t *members; /* the shapes of the run */
     uint32_t member_count;
+    growth_reach reach; /* of the members */
     tdsp_search *open;
     growth_question question;
     double limit;

@@ -208,13 +208,6 @@ static tdsp_status leave_part(leave_target *target, double from, double to)
     return fmin(fabs(a), fabs(b)) > target->reach ? TDSP_OK : push_part(target, from, to, side_of(a)); /* in between it is farther off still */
 }
 
-/* The radius of a disc is largest at the end of the search, or backwards in time at its beginning. */
-static double largest_radius(const growth_engine *engine, const growth_shape *shape, double start)
-{
-    if (engine->question.sign < 0.0) return shape_radius(shape, -start);
-    return isinf(engine->limit) ? INFINITY : shape_radius(shape, engine->limit);
-}
-
 /* How many parts of a chunk are each a third of the way to the place or less. */
 static int parts_of(const leave_target *target)
 {
@@ -264,18 +257,40 @@ static tdsp_status leave_onto_goal(const leave_target *goal)
     return length <= GEOM_CONTACT * (1.0 + point_length(out)) ? target_push(goal, high, high, NULL) : TDSP_OK;
 }
 
+/* Would a leg to the disc be too late? Its boundary is within the radius of the centre, wherever it is met. */
+static int is_too_late(const growth_engine *engine, tdsp_point place, double time, tdsp_point center, double radius)
+{
+    return time + point_distance(place, center) + point_distance(center, engine->question.goal) - 2.0 * radius > engine->limit;
+}
+
+/*
+ * Does the disc stay out of what the chunk's legs can sweep? They leave from within its length of where it starts, with headings between those at its ends: half planes
+ * left of the right one, right of the left one and ahead of both hold all of them.
+ */
+static int is_out_of_sight(const growth_chunk *chunk, const sight_line ends[2], tdsp_point center, double radius)
+{
+    tdsp_point to = point_sub(center, ends[0].from), right = ends[0].unit, left = ends[1].unit;
+    double room = radius + (chunk->base.in_fan ? 0.0 : chunk->to - chunk->from), side = chunk->ride->side;
+    if (point_dot(right, left) < 0.5) return 0; /* turned too far in one step of rounding */
+    return side * point_cross(right, to) < -room || side * point_cross(left, to) > room || point_dot(point_add(right, left), to) < -2.0 * room;
+}
+
 tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32_t ride)
 {
     growth_moment first = chunk_moment(chunk, chunk->from), last = chunk_moment(chunk, chunk->to);
     const sight_line ends[2] = {rider_leaves(chunk->shape, chunk->sign, chunk->ride, &first), rider_leaves(chunk->shape, chunk->sign, chunk->ride, &last)};
+    const growth_reach *reach = &engine->reach;
     leave_target goal = {engine, chunk, ride, GROWTH_GOAL, NULL, engine->question.goal, SHAPE_NONE, 0, 0.0, 0.0, ends};
     tdsp_status status = leave_for(&goal);
     if (status == TDSP_OK) status = leave_onto_goal(&goal);
-    for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) {
-        uint32_t disc = engine->members[i];
+    for (uint32_t i = 0; i < reach->count && status == TDSP_OK; ++i) {
+        tdsp_point center = reach->discs[i].center;
+        double radius = reach->largest[i];
+        if (is_too_late(engine, ends[0].from, first.time, center, radius) || is_out_of_sight(chunk, ends, center, radius)) continue;
+        uint32_t disc = reach->given[i];
         const growth_shape *shape = engine_shape(engine, disc);
         if (shape == chunk->shape && shape->run_count == 1) continue;
-        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, largest_radius(engine, shape, first.time), ends};
+        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, radius, ends};
         status = leave_for(&target);
     }
     return status;
@@ -296,9 +311,10 @@ tdsp_status leave_start(growth_engine *engine)
     tdsp_point way = point_sub(question->goal, question->start);
     leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x), 0.0, NULL};
     tdsp_status status = target_push(&goal, 0.0, question->time + point_length(way), NULL);
-    for (uint32_t i = 0; i < engine->member_count && status == TDSP_OK; ++i) {
-        uint32_t disc = engine->members[i];
+    for (uint32_t i = 0; i < engine->reach.count && status == TDSP_OK; ++i) {
+        uint32_t disc = engine->reach.given[i];
         const growth_shape *shape = engine_shape(engine, disc);
+        if (is_too_late(engine, question->start, question->time, shape->center, engine->reach.largest[i])) continue;
         leave_target target = {engine, NULL, GROWTH_NONE, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, INFINITY, NULL};
         status = start_for(&target);
     }

@@ -49,6 +49,15 @@ typedef struct growth_ride {
     int is_over;
 } growth_ride;
 
+/* A disc that legs of a chunk may meet (ahead.h). */
+typedef struct growth_ahead {
+    uint32_t place;   /* in the reach */
+    double distance;  /* of its centre from where the chunk starts */
+    double nearest;   /* no leg to it is shorter */
+    double direction; /* of its centre, from the middle heading, */
+    double window;    /* and how far to either side headings may be that meet it */
+} growth_ahead;
+
 typedef struct growth_question {
     double sign; /* of time: 1 forwards, -1 backwards */
     tdsp_point start, goal;
@@ -73,6 +82,8 @@ typedef struct growth_engine {
     size_t leg_count, leg_capacity;
     growth_ride *rides;
     size_t ride_count, ride_capacity;
+    growth_ahead *ahead;
+    size_t ahead_count, ahead_capacity;
     uint32_t *heads;  /* the first ride on a disc, or GROWTH_NONE */
     uint32_t arrived; /* the leg that reached the goal, or GROWTH_NONE */
     int is_explained;

@@ -85,6 +85,7 @@ void growth_free(growth_solver *self)
     memory_free(&memory, self->is_member, count);
     memory_free(&memory, engine->legs, engine->leg_capacity * sizeof *engine->legs);
     memory_free(&memory, engine->rides, engine->ride_capacity * sizeof *engine->rides);
+    memory_free(&memory, engine->ahead, engine->ahead_capacity * sizeof *engine->ahead);
     reach_free(&engine->reach, &memory);
     tdsp_search_free(engine->open);
     memory_free(&memory, self, sizeof *self);
@@ -93,7 +94,7 @@ void growth_free(growth_solver *self)
 uint64_t growth_bytes(const growth_solver *self)
 {
     const growth_engine *engine = &self->engine;
-    uint64_t bytes = sizeof *self + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides;
+    uint64_t bytes = sizeof *self + engine->leg_capacity * sizeof *engine->legs + engine->ride_capacity * sizeof *engine->rides + engine->ahead_capacity * sizeof *engine->ahead;
     bytes += self->scene->count * (1 + sizeof *engine->shapes + sizeof *engine->members + sizeof *engine->heads);
     bytes += reach_bytes(&engine->reach);
     for (uint32_t i = 0; i < engine->shape_count; ++i) bytes += shape_bytes(&engine->shapes[i]);

@@ -3,6 +3,7 @@
 
 #include "geom/angle.h"
 #include "geom/tolerance.h"
+#include "growth/ahead.h"
 
 /* Parts of a chunk that are looked at one by one, at most. */
 #define MOST_PARTS 64
@@ -257,43 +258,37 @@ static tdsp_status leave_onto_goal(const leave_target *goal)
     return length <= GEOM_CONTACT * (1.0 + point_length(out)) ? target_push(goal, high, high, NULL) : TDSP_OK;
 }
 
-/* Would a leg to the disc be too late? Its boundary is within the radius of the centre, wherever it is met. */
-static int is_too_late(const growth_engine *engine, tdsp_point place, double time, tdsp_point center, double radius)
+/* To what is ahead, nearest first, as far as it is not hidden. Who asks why there is no path wants to see all that stops a robot. */
+static tdsp_status leave_ahead(growth_engine *engine, ahead_view *view, uint32_t ride)
 {
-    return time + point_distance(place, center) + point_distance(center, engine->question.goal) - 2.0 * radius > engine->limit;
-}
-
-/*
- * Does the disc stay out of what the chunk's legs can sweep? They leave from within its length of where it starts, with headings between those at its ends: half planes
- * left of the right one, right of the left one and ahead of both hold all of them.
- */
-static int is_out_of_sight(const growth_chunk *chunk, const sight_line ends[2], tdsp_point center, double radius)
-{
-    tdsp_point to = point_sub(center, ends[0].from), right = ends[0].unit, left = ends[1].unit;
-    double room = radius + (chunk->base.in_fan ? 0.0 : chunk->to - chunk->from), side = chunk->ride->side;
-    if (point_dot(right, left) < 0.5) return 0; /* turned too far in one step of rounding */
-    return side * point_cross(right, to) < -room || side * point_cross(left, to) > room || point_dot(point_add(right, left), to) < -2.0 * room;
+    const growth_chunk *chunk = view->chunk;
+    tdsp_status status = ahead_list(engine, view);
+    for (size_t i = 0; i < engine->ahead_count && status == TDSP_OK; ++i) {
+        const growth_ahead *ahead = &engine->ahead[i];
+        uint32_t disc = engine->reach.given[ahead->place];
+        const growth_shape *shape = engine_shape(engine, disc);
+        int ends = ahead_ends(view, ahead);
+        if (!engine->question.explain && (ends || ahead_hides(view, ahead))) {
+            engine->latest = fmax(engine->latest, view->last + ahead->nearest);
+            if (ends) break;
+            continue;
+        }
+        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, engine->reach.largest[ahead->place], view->ends};
+        if (shape != chunk->shape || shape->run_count > 1) status = leave_for(&target);
+        if (shape != chunk->shape) ahead_cover(view, ahead, shape);
+    }
+    return status;
 }
 
 tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32_t ride)
 {
     growth_moment first = chunk_moment(chunk, chunk->from), last = chunk_moment(chunk, chunk->to);
     const sight_line ends[2] = {rider_leaves(chunk->shape, chunk->sign, chunk->ride, &first), rider_leaves(chunk->shape, chunk->sign, chunk->ride, &last)};
-    const growth_reach *reach = &engine->reach;
+    ahead_view view = ahead_look(chunk, ends);
     leave_target goal = {engine, chunk, ride, GROWTH_GOAL, NULL, engine->question.goal, SHAPE_NONE, 0, 0.0, 0.0, ends};
     tdsp_status status = leave_for(&goal);
     if (status == TDSP_OK) status = leave_onto_goal(&goal);
-    for (uint32_t i = 0; i < reach->count && status == TDSP_OK; ++i) {
-        tdsp_point center = reach->discs[i].center;
-        double radius = reach->largest[i];
-        if (is_too_late(engine, ends[0].from, first.time, center, radius) || is_out_of_sight(chunk, ends, center, radius)) continue;
-        uint32_t disc = reach->given[i];
-        const growth_shape *shape = engine_shape(engine, disc);
-        if (shape == chunk->shape && shape->run_count == 1) continue;
-        leave_target target = {engine, chunk, ride, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, radius, ends};
-        status = leave_for(&target);
-    }
-    return status;
+    return status == TDSP_OK ? leave_ahead(engine, &view, ride) : status;
 }
 
 /* From the start: straight at the centre a line runs into the disc, straight away from it misses it. */
@@ -314,7 +309,7 @@ tdsp_status leave_start(growth_engine *engine)
     for (uint32_t i = 0; i < engine->reach.count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->reach.given[i];
         const growth_shape *shape = engine_shape(engine, disc);
-        if (is_too_late(engine, question->start, question->time, shape->center, engine->reach.largest[i])) continue;
+        if (ahead_is_too_late(engine, question->start, question->time, shape->center, engine->reach.largest[i])) continue;
         leave_target target = {engine, NULL, GROWTH_NONE, disc, shape, shape->center, SHAPE_NONE, 0, 0.0, INFINITY, NULL};
         status = start_for(&target);
     }

@@ -15,7 +15,7 @@
 
 #include "geom/contact.h"
 #include "search/neighbours.h"
-#include "search/skyline.h"
+#include "geom/skyline.h"
 
 typedef struct look_wedge {
     geom_ride motion;  /* the chunk; on a point of no duration for a start */

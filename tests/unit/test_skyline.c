@@ -1,7 +1,7 @@
 /* What near discs hide, against asking each cover in turn. */
 #include "support/cmocka_all.h"
 
-#include "search/skyline.h"
+#include "geom/skyline.h"
 #include "support/chance.h"
 
 #define MARGIN 1e-8 /* covers count as a little narrower than they are */

@@ -1,5 +1,5 @@
 /* What near discs hide from a rider: the rule is in skyline.h. */
-#include "search/skyline.h"
+#include "geom/skyline.h"
 
 #include <math.h>
 

@@ -6,8 +6,8 @@
  * in the order of a lower bound on their legs; once that bound is past a cover's reach the cover hides whatever is still to come,
  * and when such covers fill the chunk nothing more can be seen.
  */
-#ifndef SEARCH_SKYLINE_H
-#define SEARCH_SKYLINE_H
+#ifndef GEOM_SKYLINE_H
+#define GEOM_SKYLINE_H
 
 typedef struct sky_cover {
     double from;

@@ -45,11 +45,20 @@ static double half_angle(double radius, double distance)
     return radius < distance ? asin(radius / distance) : GEOM_PI;
 }
 
-static growth_ahead ahead_make(const ahead_view *view, uint32_t place, tdsp_point to, double radius)
+/* How long a leg to the disc is at least: its boundary comes towards the robot no faster than the disc above it grows, as far as that is known. */
+static double least_length(const ahead_view *view, const growth_reach *reach, uint32_t place, double distance)
 {
-    growth_ahead disc = {place, point_length(to), 0.0, turn_between(view->middle, to), GEOM_PI};
-    disc.nearest = disc.distance - radius - view->length;
-    if (disc.nearest > 0.0) disc.window = half_angle(radius + view->slide, disc.distance);
+    const geom_disc *disc = &reach->discs[place];
+    double gap = distance - view->length, known = reach->sign > 0.0 ? reach->until - view->last : INFINITY;
+    double now = fmax(disc_radius(disc, view->ends[0].start), disc_radius(disc, view->last));
+    return fmax(gap - reach->largest[place], fmin((gap - now) / (1.0 + fmax(disc->rate, 0.0)), known));
+}
+
+static growth_ahead ahead_make(const ahead_view *view, const growth_reach *reach, uint32_t place, tdsp_point to)
+{
+    double distance = point_length(to);
+    growth_ahead disc = {place, distance, least_length(view, reach, place, distance), turn_between(view->middle, to), GEOM_PI};
+    if (distance - view->length > reach->largest[place]) disc.window = half_angle(reach->largest[place] + view->slide, distance);
     return disc;
 }
 
@@ -71,7 +80,7 @@ tdsp_status ahead_list(growth_engine *engine, const ahead_view *view)
         tdsp_point center = reach->discs[i].center, to = point_sub(center, first->from);
         double radius = reach->largest[i];
         if (is_out_of_sight(view, to, radius) || ahead_is_too_late(engine, first->from, first->start, center, radius)) continue;
-        engine->ahead[engine->ahead_count++] = ahead_make(view, i, to, radius);
+        engine->ahead[engine->ahead_count++] = ahead_make(view, reach, i, to);
     }
     if (engine->ahead_count > 1) qsort(engine->ahead, engine->ahead_count, sizeof *engine->ahead, is_nearer);
     return TDSP_OK;

@@ -209,13 +209,13 @@ static double search_bound(void *ctx, const tdsp_label *label)
     return self->is_begun ? label_bound(self->engine, label) : 0.0;
 }
 
-/* Journeys this many times as long as the straight way are looked for in the index. */
-#define WINDOW 4.0
+/* Where nothing limits a search, the index knows about journeys that take this many times as long as the straight way. */
+#define WINDOW 16.0
 
 static tdsp_status members_reach(growth_engine *engine)
 {
     const growth_question *question = &engine->question;
-    double last = fmin(question->limit, question->time + WINDOW * point_distance(question->start, question->goal));
+    double last = isinf(question->limit) ? question->time + WINDOW * point_distance(question->start, question->goal) : question->limit;
     reach_question ask = {engine->shapes, engine->members, engine->member_count, question->sign, question->time, fmax(last, question->time)};
     if (question->sign < 0.0) {
         ask.from = fmax(-question->limit, 0.0);

@@ -18,6 +18,10 @@
 #define SCOUTED 24u
 #define SCOUT_WEIGHT 1.1
 
+/* A scout looks for an arrival so much later than the last one known, or the straight way; then twice as late, and so on up to this many times, then as late as may be. */
+#define LATER 1.25
+#define LATEST 8.0
+
 static geom_law plain_law(const tdsp_disc *disc, law_piece *piece)
 {
     law_piece plain = {0.0, {disc->radius, disc->growth}, 1};
@@ -176,15 +180,28 @@ static uint32_t path_mend(growth_solver *self)
     return engine->member_count - before;
 }
 
-/* Among the members: where they are many, a search with heavier bounds goes ahead, whose path keeps the search for the best from looking where it cannot be. */
-static tdsp_status run(growth_solver *self, const growth_question *question)
+/*
+ * A search with heavier bounds. The sooner it may stop looking the less it meets, so it looks for soon arrivals first.
+ */
+static tdsp_status scout(growth_solver *self, const growth_question *question, double known)
+{
+    growth_question ask = *question;
+    double straight = point_distance(question->start, question->goal), later = LATER * fmax(straight, known - question->time);
+    ask.weight = SCOUT_WEIGHT;
+    for (;; later *= 2.0) {
+        ask.limit = later > LATEST * straight ? question->limit : fmin(question->time + later, question->limit);
+        tdsp_status status = growth_run(&self->engine, &ask);
+        if (status != TDSP_OK || self->engine.arrived != GROWTH_NONE || ask.limit == question->limit) return status;
+    }
+}
+
+/* Among the members: where they are many, a scout goes ahead, whose path keeps the search for the best from looking where it cannot be. An arrival is known among fewer. */
+static tdsp_status run(growth_solver *self, const growth_question *question, double known)
 {
     growth_question ask = *question;
     if (self->engine.member_count > SCOUTED) {
-        ask.weight = SCOUT_WEIGHT;
-        tdsp_status status = growth_run(&self->engine, &ask);
+        tdsp_status status = scout(self, question, known);
         if (status != TDSP_OK || self->engine.arrived == GROWTH_NONE) return status;
-        ask.weight = 1.0;
         double arrives = self->engine.legs[self->engine.arrived].arrive;
         ask.limit = fmin(ask.limit, arrives + GEOM_CONTACT * (1.0 + fabs(arrives)));
     }
@@ -194,14 +211,16 @@ static tdsp_status run(growth_solver *self, const growth_question *question)
 static tdsp_status ask(growth_solver *self, const growth_question *question)
 {
     growth_engine *engine = &self->engine;
+    double known = question->time;
     members_clear(self);
     for (int round = 0; engine->shape_count > SMALL && round < ROUNDS && engine->member_count * LARGE_SHARE < engine->shape_count; ++round) {
         ++self->rounds;
-        tdsp_status status = run(self, question);
+        tdsp_status status = run(self, question, known);
         if (status != TDSP_OK || engine->arrived == GROWTH_NONE || path_mend(self) == 0) return status;
+        known = engine->legs[engine->arrived].arrive;
     }
     members_all(self);
-    return run(self, question);
+    return run(self, question, known);
 }
 
 /* A moment in the user's time is this in the frame's; the last robot may meet the disc that covers its goal. */

@@ -5,6 +5,9 @@
 #include "growth/ride.h"
 #include "growth/wake.h"
 
+/* A disc that holds the goal within this depth at the moment of contact is the one that covers it. */
+#define COVERS_GOAL 1e-12
+
 typedef enum label_kind { LABEL_LEG, LABEL_RIDE } label_kind;
 
 /* A label's bound was worked out when it was made. */
@@ -40,7 +43,7 @@ static int visit_blocked(void *ctx, uint32_t disc)
     if (!sight_is_blocked(engine_shape(query->engine, disc), question->sign, query->line, query->first.time, left, met, &time)) return 1;
     query->first.disc = disc;
     query->first.time = time;
-    return question->explain;
+    return question->explain && query->to == GROWTH_GOAL; /* who stops it first; else any will do */
 }
 
 int growth_leg_is_blocked(growth_engine *engine, const growth_leg *leg, growth_hit *hit)
@@ -62,11 +65,22 @@ int growth_line_is_blocked(growth_engine *engine, const sight_line *line, double
     return query.first.disc != GROWTH_NONE;
 }
 
-/* Does the disc that stops a robot cover the goal by then? */
-static int is_explained(const growth_engine *engine, uint32_t disc, double time)
+/* Does a disc cover the goal by then? */
+static int covers_goal(const growth_engine *engine, uint32_t disc, double time)
 {
-    const growth_question *question = &engine->question;
-    return question->explain && disc != GROWTH_NONE && sight_is_inside(engine_shape(engine, disc), question->sign, question->goal, time);
+    const growth_shape *shape = engine_shape(engine, disc);
+    double radius = shape_radius(shape, engine->question.sign * time);
+    return point_distance(shape->center, engine->question.goal) <= radius * (1.0 + COVERS_GOAL) + COVERS_GOAL;
+}
+
+/*
+ * When the question is why there is no way: the disc ridden may be the one that covers the goal, and then no leg to the goal is left. The rider
+ * has come as near as it can when it passes in front of it.
+ */
+static int ride_explains(const growth_engine *engine, const growth_chunk *chunk)
+{
+    double at;
+    return engine->question.explain && rider_passes(chunk, engine->question.goal, &at) && covers_goal(engine, chunk->ride->disc, at);
 }
 
 static tdsp_status leg_add(growth_engine *engine, const growth_leg *leg)
@@ -95,7 +109,7 @@ static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
     tdsp_status status = shape_measure(shape, &engine->allocator, ride->run);
     if (status != TDSP_OK) return status;
     /* From the start both ways round begin at one place and time, and neither covers the other. */
-    if (ride->leg != GROWTH_NONE && wake_covers(engine, ride->disc, ride->run, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
+    if (ride->leg != GROWTH_NONE && wake_covers(engine, ride, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
     status = memory_reserve(&engine->allocator, (void **)&engine->rides, &engine->ride_capacity, engine->ride_count + 1, sizeof *ride);
     if (status != TDSP_OK) return status;
     ride->now = ride->start;
@@ -112,7 +126,7 @@ static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)
     growth_hit hit;
     engine->latest = fmax(engine->latest, leg.arrive);
     if ((leg.disc != GROWTH_GOAL || engine->question.explain) && growth_leg_is_blocked(engine, &leg, &hit)) {
-        engine->is_explained = *done = is_explained(engine, hit.disc, hit.time);
+        engine->is_explained = *done = leg.disc == GROWTH_GOAL && covers_goal(engine, hit.disc, hit.time);
         return TDSP_OK;
     }
     if (leg.disc == GROWTH_GOAL) {
@@ -133,19 +147,18 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
     growth_ride ride = engine->rides[index]; /* the array may move */
     const growth_shape *shape = engine_shape(engine, ride.disc);
     growth_chunk chunk;
-    uint32_t stopper;
     if (!rider_next_chunk(shape, engine->question.sign, &ride, &chunk)) return TDSP_OK;
     double whole = chunk.to, limit = engine->limit;
     if (!chunk.base.in_fan) chunk.to = fmin(chunk.to, fmax(chunk.from, limit));
-    chunk.to = ride_free_until(engine, &chunk, &stopper);
+    chunk.to = ride_free_until(engine, &chunk);
     double free_until = chunk.to;
-    if (is_explained(engine, stopper, chunk.to)) {
-        engine->is_explained = *done = 1;
-        return TDSP_OK;
-    }
     engine->latest = fmax(engine->latest, chunk_moment(&chunk, chunk.to).time);
     chunk.to = wake_cut(engine, &chunk, index);
     int is_cut = chunk.to < whole || free_until < whole;
+    if (ride_explains(engine, &chunk)) {
+        engine->is_explained = *done = 1;
+        return TDSP_OK;
+    }
     tdsp_status status = chunk.to > chunk.from ? leave_chunk(engine, &chunk, index) : TDSP_OK;
     if (status != TDSP_OK) return status;
     int is_over = is_cut;

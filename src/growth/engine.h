@@ -65,7 +65,7 @@ typedef struct growth_question {
     double goal_until; /* the goal counts up to this time */
     double limit;      /* nothing later than this matters */
     double weight;     /* of the bounds: 1 finds the best path, more some path sooner */
-    int explain;       /* ends as soon as a disc that covers the goal by then stops a robot */
+    int explain;       /* ends as soon as a robot on its way to the goal is stopped by a disc that covers it by then */
 } growth_question;
 
 typedef struct growth_engine {

@@ -37,15 +37,6 @@ tdsp_status growth_departure(growth_solver *self, const scene_ends *ends, double
 /* Is a robot on its way stopped by a disc that covers the destination by then? Asked among all discs. TDSP_OK or TDSP_NO_MEMORY. */
 tdsp_status growth_explain(growth_solver *self, const scene_ends *ends, double departure, int *is_open);
 
-/* A moment at which the path of the last arrival touches two discs at once, or nearly so: the narrowest. In the user's units. */
-typedef struct growth_squeeze {
-    uint32_t first, second; /* TDSP_NO_DISC where the path touches none */
-    double time;
-    tdsp_point place;
-} growth_squeeze;
-
-growth_squeeze growth_narrowest(const growth_solver *self);
-
 /* The path of the last arrival: its legs in order of time, appended to *legs. TDSP_OK or TDSP_NO_MEMORY. */
 typedef struct growth_path {
     tdsp_leg *legs;

@@ -1,7 +1,6 @@
 /* The argument is in leave.h. */
 #include "growth/leave.h"
 
-#include "geom/angle.h"
 #include "geom/tolerance.h"
 #include "growth/ahead.h"
 
@@ -237,25 +236,12 @@ static tdsp_status leave_for(leave_target *target)
 static tdsp_status leave_onto_goal(const leave_target *goal)
 {
     const growth_chunk *chunk = goal->chunk;
-    if (chunk->base.in_fan) return TDSP_OK;
-    growth_moment moment = chunk_moment(chunk, chunk->from);
-    double before = rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment), low = chunk->from, high = chunk->to;
-    tdsp_point out = point_sub(goal->place, chunk->shape->center);
-    double angle = angle_positive(chunk->ride->side * (atan2(out.y, out.x) - chunk->ride->normal));
-    moment = chunk_moment(chunk, chunk->to);
-    if (angle < before || angle > rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment)) return TDSP_OK;
-    for (int step = 0; step < 100 && low < high; ++step) {
-        double middle = 0.5 * (low + high);
-        if (!(middle > low && middle < high)) break;
-        moment = chunk_moment(chunk, middle);
-        if (rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment) < angle)
-            low = middle;
-        else
-            high = middle;
-    }
-    moment = chunk_moment(chunk, high);
+    double at;
+    if (!rider_passes(chunk, goal->place, &at)) return TDSP_OK;
+    growth_moment moment = chunk_moment(chunk, at);
     double length = point_distance(rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), goal->place);
-    return length <= GEOM_CONTACT * (1.0 + point_length(out)) ? target_push(goal, high, high, NULL) : TDSP_OK;
+    double distance = point_distance(goal->place, chunk->shape->center);
+    return length <= GEOM_CONTACT * (1.0 + distance) ? target_push(goal, at, at, NULL) : TDSP_OK;
 }
 
 /* To what is ahead, nearest first, as far as it is not hidden. Who asks why there is no path wants to see all that stops a robot. */

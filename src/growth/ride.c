@@ -139,7 +139,6 @@ double ride_touches(const growth_chunk *chunk, const growth_shape *other, int *h
 typedef struct free_part {
     growth_engine *engine;
     growth_chunk chunk;
-    uint32_t stopper;
 } free_part;
 
 static int visit_free(void *ctx, uint32_t disc)
@@ -147,18 +146,16 @@ static int visit_free(void *ctx, uint32_t disc)
     free_part *part = ctx;
     int hit;
     part->chunk.to = ride_touches(&part->chunk, engine_shape(part->engine, disc), &hit);
-    if (hit) part->stopper = disc;
     return part->chunk.to > part->chunk.from;
 }
 
-double ride_free_until(growth_engine *engine, const growth_chunk *chunk, uint32_t *disc)
+double ride_free_until(growth_engine *engine, const growth_chunk *chunk)
 {
-    free_part part = {engine, *chunk, GROWTH_NONE};
+    free_part part = {engine, *chunk};
     if (!chunk->base.in_fan) {
         growth_moment begin = chunk_moment(chunk, chunk->from);
         tdsp_point place = rider_place(chunk->shape, chunk->sign, chunk->ride, &begin);
         reach_near(&engine->reach, place, chunk->to - chunk->from, chunk->from, chunk->to, visit_free, &part);
     }
-    *disc = part.stopper;
     return part.chunk.to;
 }

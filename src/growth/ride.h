@@ -17,7 +17,7 @@
 /* The parameter up to which the chunk does not touch another disc; its end where it never does, and then *hit is 0. */
 double ride_touches(const growth_chunk *chunk, const growth_shape *other, int *hit);
 
-/* The parameter up to which the chunk touches no other member; *disc receives who stops it, or GROWTH_NONE. */
-double ride_free_until(growth_engine *engine, const growth_chunk *chunk, uint32_t *disc);
+/* The parameter up to which the chunk touches no other member. */
+double ride_free_until(growth_engine *engine, const growth_chunk *chunk);
 
 #endif

@@ -7,6 +7,9 @@
 /* A corner at which the heading turns by less is none. */
 #define LEAST_FAN 1e-12
 
+/* Halving leaves nothing of a chunk after this. */
+#define MOST_HALVINGS 100
+
 static double theta_of(double rate)
 {
     double squared = (1.0 - rate) * (1.0 + rate);
@@ -124,4 +127,25 @@ growth_moment rider_after(const growth_chunk *chunk, int *is_over)
     moment.theta = theta;
     if (!moment.in_fan) moment.span = next;
     return moment;
+}
+
+static double turned_at(const growth_chunk *chunk, double at)
+{
+    growth_moment moment = chunk_moment(chunk, at);
+    return rider_turned(chunk->shape, chunk->sign, chunk->ride, &moment);
+}
+
+int rider_passes(const growth_chunk *chunk, tdsp_point place, double *at)
+{
+    tdsp_point out = point_sub(place, chunk->shape->center);
+    double angle = angle_positive(chunk->ride->side * (atan2(out.y, out.x) - chunk->ride->normal));
+    double low = chunk->from, high = chunk->to;
+    if (chunk->base.in_fan || angle < turned_at(chunk, low) || angle > turned_at(chunk, high)) return 0;
+    for (int step = 0; step < MOST_HALVINGS; ++step) {
+        double middle = 0.5 * (low + high);
+        if (!(middle > low && middle < high)) break;
+        *(turned_at(chunk, middle) < angle ? &low : &high) = middle;
+    }
+    *at = high;
+    return 1;
 }

@@ -40,6 +40,9 @@ double rider_turned(const growth_shape *shape, double sign, const growth_ride *r
 /* The next chunk from the ride's `now`, not over a corner and not turning the heading by more than so much; 0 when the run is over. */
 int rider_next_chunk(const growth_shape *shape, double sign, const growth_ride *ride, growth_chunk *chunk);
 
+/* Does a chunk on a span come to the direction in which a place lies from the centre? *at: the parameter, to rounding. */
+int rider_passes(const growth_chunk *chunk, tdsp_point place, double *at);
+
 /* The moment at the end of a chunk, past the corner where the span ends there. *is_over where the run does. */
 growth_moment rider_after(const growth_chunk *chunk, int *is_over);
 

@@ -50,16 +50,17 @@ static int ride_passed(const growth_shape *shape, double sign, const growth_ride
     return *when < moment->time - SAME_PLACE * (1.0 + fabs(moment->time)) || is_older;
 }
 
-int wake_covers(growth_engine *engine, uint32_t disc, uint32_t run, double normal, const growth_moment *moment, uint32_t self)
+int wake_covers(growth_engine *engine, const growth_ride *rider, double normal, const growth_moment *moment, uint32_t self)
 {
-    const growth_shape *shape = engine_shape(engine, disc);
+    const growth_shape *shape = engine_shape(engine, rider->disc);
     double when;
-    for (uint32_t r = engine->heads[disc]; r != GROWTH_NONE; r = engine->rides[r].next) {
+    for (uint32_t r = engine->heads[rider->disc]; r != GROWTH_NONE; r = engine->rides[r].next) {
         const growth_ride *ride = &engine->rides[r];
-        if (r == self || ride->run != run) continue;
+        if (r == self || ride->run != rider->run) continue;
+        if (engine->question.explain && ride->side != rider->side) continue;
         int is_older = self == GROWTH_NONE || (r < self && ride->side == engine->rides[self].side);
         if (ride_passed(shape, engine->question.sign, ride, normal, moment, is_older, &when) &&
-            radius_is_free(engine, disc, normal, when, moment->time))
+            radius_is_free(engine, rider->disc, normal, when, moment->time))
             return 1;
     }
     return 0;
@@ -69,7 +70,7 @@ static int chunk_is_passed(growth_engine *engine, const growth_chunk *chunk, uin
 {
     growth_moment moment = chunk_moment(chunk, at);
     double normal = rider_normal(chunk->shape, chunk->sign, chunk->ride, &moment);
-    return wake_covers(engine, chunk->ride->disc, chunk->ride->run, normal, &moment, self);
+    return wake_covers(engine, chunk->ride, normal, &moment, self);
 }
 
 double wake_cut(growth_engine *engine, const growth_chunk *chunk, uint32_t self)

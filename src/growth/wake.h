@@ -7,8 +7,11 @@
 
 #include "growth/rider.h"
 
-/* Was the angle `normal` on that run passed before this moment, by another ride than `self` (GROWTH_NONE for none)? */
-int wake_covers(growth_engine *engine, uint32_t disc, uint32_t run, double normal, const growth_moment *moment, uint32_t self);
+/*
+ * Was the angle `normal` on the ride's run passed before this moment, by another ride than `self` (GROWTH_NONE for none)? What stops a robot first is asked among
+ * riders of one side only.
+ */
+int wake_covers(growth_engine *engine, const growth_ride *rider, double normal, const growth_moment *moment, uint32_t self);
 
 /* The parameter of the chunk from which on the ride need not be followed: its end, or where it comes upon a place passed before. */
 double wake_cut(growth_engine *engine, const growth_chunk *chunk, uint32_t self);

@@ -38,7 +38,7 @@ tdsp_status general_arrival(tdsp_solver *solver, double departure, double *arriv
     double looked_until = departure;
     solver->has_path = 0;
     if (scene_covered(solver->ends.source_cover, departure)) {
-        tdsp_status known = general_check(solver, solver->ends.source_cover.time);
+        tdsp_status known = general_check(solver, departure);
         return known == TDSP_OK ? TDSP_SOURCE_COVERED : known;
     }
     if (ends_meet(&solver->ends)) {
@@ -127,6 +127,7 @@ tdsp_status general_latest(tdsp_solver *solver, double arrival, double after, do
     general_state state = {solver, fmin(arrival, ends->destination_cover.time), after, -1.0, before, ends->time};
     tdsp_status status = TDSP_OK;
     solver->has_path = 0;
+    if (solver_is_far(solver, fmin(state.arrival, ends->source_cover.time)) && !isinf(state.arrival)) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0)) {
         state.best = -1.0;
     } else if (isinf(state.arrival)) {
@@ -150,14 +151,4 @@ tdsp_status general_route(tdsp_solver *solver, double departure, double arrival)
     solver->path_count = path.count;
     solver->path_capacity = path.capacity;
     return status;
-}
-
-void general_witness(const tdsp_solver *solver, tdsp_last_departure *out)
-{
-    growth_squeeze squeeze = growth_narrowest(solver->growth);
-    out->disc = squeeze.first;
-    out->other = squeeze.second;
-    if (squeeze.first == TDSP_NO_DISC) return;
-    out->time = squeeze.time;
-    out->place = squeeze.place;
 }

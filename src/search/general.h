@@ -21,7 +21,4 @@ tdsp_status general_latest(tdsp_solver *solver, double arrival, double after, do
 /* Keep the path of the last arrival. */
 tdsp_status general_route(tdsp_solver *solver, double departure, double arrival);
 
-/* The gap that the path of the last departure only just passes: fills in discs, time and place if there is one. */
-void general_witness(const tdsp_solver *solver, tdsp_last_departure *out);
-
 #endif

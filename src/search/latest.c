@@ -261,6 +261,14 @@ static tdsp_status latest_still(latest_state *state, double arrival)
     return TDSP_OK;
 }
 
+/* Where the destination is never covered and the departures end all the same, A at the last one stands for any arrival. */
+static tdsp_status latest_general(latest_state *state, double arrival)
+{
+    tdsp_status status = general_latest(state->solver, arrival, state->known_good, state->known_late, &state->best, &state->arrives);
+    if (status == TDSP_OK && isinf(state->arrival) && state->best >= 0.0) state->arrival = state->arrives;
+    return status;
+}
+
 /* The state after the search; best < 0 when there is no departure. `after` and `before` are what is known already. */
 static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after, double before, latest_state *state)
 {
@@ -271,7 +279,7 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after,
                           after, before};
     *state = start;
     solver->has_path = 0;
-    if (solver->growth) return general_latest(solver, arrival, after, before, &state->best, &state->arrives);
+    if (solver->growth) return latest_general(state, arrival);
     if (scene_is_still(scene)) return latest_still(state, arrival);
     if (solver_is_far(solver, fmin(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
@@ -387,6 +395,17 @@ static void last_by_cover(tdsp_last_departure *out, tdsp_status reason, scene_co
     out->place = end;
 }
 
+/* The gap that the path of the last departure only just passes, if there is one. */
+static void last_by_gap(const tdsp_solver *solver, tdsp_last_departure *out)
+{
+    tdsp_gap gap;
+    if (solver_pinch(solver, &gap) != TDSP_OK) return;
+    out->disc = gap.first;
+    out->other = gap.second;
+    out->time = gap.time;
+    out->place = gap.place;
+}
+
 /* What stops the departures after state->best: the reason that holds right after it, and its witness. */
 static tdsp_status last_explain(const latest_state *state, tdsp_last_departure *out)
 {
@@ -429,7 +448,7 @@ tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure 
     if (!isinf(state.best)) status = last_explain(&state, &last);
     if (!isinf(state.best) && status == TDSP_OK) status = latest_confirm(&state);
     if (status != TDSP_OK) return status;
-    if (solver->growth && last.reason == TDSP_CUT_OFF) general_witness(solver, &last);
+    if (solver->growth && last.reason == TDSP_CUT_OFF) last_by_gap(solver, &last);
     last.departure = state.best;
     last.arrival = state.arrives;
     *out = last;

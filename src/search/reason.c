@@ -9,6 +9,9 @@
 /* The discs are looked at this share of the times at hand before the destination is covered, so that it is free for certain. */
 #define JUST_BEFORE 1e-9
 
+/* Halving leaves no more of a length than rounding. */
+#define HALVINGS 60
+
 /*
  * Is a robot on its way stopped by nothing but the destination's cover? This is asked among all discs at once: among fewer, what stops it first may be
  * a disc that stands behind the cover.
@@ -24,8 +27,36 @@ static tdsp_status stopped_by_cover(tdsp_solver *solver, double departure, int *
     return status;
 }
 
-/* The discs as they are at a time, as a scene of their own. */
-static tdsp_status scene_at(const tdsp_solver *solver, double time, tdsp_scene **still)
+/* A disc's radius at a time; the least that a robot meets which leaves the source then, as in enclosure.h. */
+typedef double (*disc_size)(const tdsp_solver *solver, uint32_t disc, double time);
+
+static double size_at(const tdsp_solver *solver, uint32_t disc, double time)
+{
+    double radius = 0.0;
+    (void)tdsp_scene_disc_at(solver->scene, disc, time, &radius, NULL); /* of a disc and a time that are in range */
+    return radius;
+}
+
+static double last_moment(const tdsp_solver *solver)
+{
+    double last = solver->ends.destination_cover.time;
+    return last - JUST_BEFORE * (solver->ends.time + last);
+}
+
+/* Q = R(t + (|O - s| - Q) / v) by halving, the robot's radius in Q; rounded down. */
+static double size_met(const tdsp_solver *solver, uint32_t disc, double time)
+{
+    const tdsp_journey *journey = &solver->scene->journey;
+    double low = 0.0, high = point_distance(solver->scene->discs[disc].center, solver->ends.given.source), way = high, last = last_moment(solver);
+    for (int step = 0; step < HALVINGS; ++step) {
+        double middle = 0.5 * (low + high), met = fmin(time + (way - middle) / journey->speed, last);
+        *(size_at(solver, disc, met) + journey->radius >= middle ? &low : &high) = middle;
+    }
+    return fmax(low - journey->radius, 0.0);
+}
+
+/* The discs with their sizes for a time, as a scene of their own. */
+static tdsp_status scene_of(const tdsp_solver *solver, disc_size size, double time, tdsp_scene **still)
 {
     const tdsp_scene *scene = solver->scene;
     const tdsp_journey journey = {scene->journey.speed, scene->journey.radius, solver->ends.given.source, solver->ends.given.destination};
@@ -33,7 +64,7 @@ static tdsp_status scene_at(const tdsp_solver *solver, double time, tdsp_scene *
     if (!discs) return TDSP_NO_MEMORY;
     for (size_t i = 0; i < scene->count; ++i) {
         discs[i] = scene->discs[i];
-        (void)tdsp_scene_disc_at(scene, (uint32_t)i, time, &discs[i].radius, NULL);
+        discs[i].radius = size(solver, (uint32_t)i, time);
         discs[i].growth = 0.0;
     }
     tdsp_status status = tdsp_scene_create(&journey, discs, scene->count, &scene->allocator, still);
@@ -54,25 +85,41 @@ static tdsp_status still_open(const tdsp_scene *still, int *open)
     return tdsp_status_is_answer(status) ? TDSP_OK : status;
 }
 
-static tdsp_status open_at_last_moment(const tdsp_solver *solver, int *open)
+/* Is there a way among the discs of these sizes, which leave the ends free? */
+static tdsp_status open_among(const tdsp_solver *solver, disc_size size, double time, int *open)
 {
-    double last = solver->ends.destination_cover.time;
-    double before = last - JUST_BEFORE * (solver->ends.time + last);
     tdsp_scene *still;
-    *open = 0;
-    if (!(before >= 0.0) || isinf(last)) return TDSP_OK;
-    tdsp_status status = scene_at(solver, before, &still);
+    tdsp_status status = scene_of(solver, size, time, &still);
     if (status != TDSP_OK) return status;
     status = still_open(still, open);
     tdsp_scene_free(still);
     return status;
 }
 
+static tdsp_status open_at_last_moment(const tdsp_solver *solver, int *open)
+{
+    double before = last_moment(solver);
+    *open = 0;
+    return before >= 0.0 && !isinf(before) ? open_among(solver, size_at, before, open) : TDSP_OK;
+}
+
+/* Is the destination walled in for who leaves then? The test of enclosure.h, which knows rates only, or its like. */
+static tdsp_status walled_in(tdsp_solver *solver, double departure, int *enclosed)
+{
+    int open;
+    *enclosed = 0;
+    if (tdsp_scene_has_rates_only(solver->scene))
+        return enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, departure / solver->scene->time, enclosed);
+    if (!(last_moment(solver) >= departure)) return TDSP_OK;
+    tdsp_status status = open_among(solver, size_met, departure, &open);
+    *enclosed = status == TDSP_OK && !open;
+    return status;
+}
+
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
-    int open, enclosed = 0;
-    tdsp_status status = TDSP_OK;
-    if (!solver->growth) status = enclosure_test(&solver->enclosure, &solver->engine, &solver->ends, departure / solver->scene->time, &enclosed);
+    int open, enclosed;
+    tdsp_status status = walled_in(solver, departure, &enclosed);
     if (status != TDSP_OK) return status;
     if (enclosed) {
         *reason = TDSP_CUT_OFF;

@@ -58,6 +58,9 @@ engine_question solver_reverse_question(const tdsp_solver *solver, double time, 
 /* Why there is no way right after the last departure, which the caller knows. */
 tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason);
 
+/* Where the path kept is touched by two discs at one moment, on either hand. TDSP_OK, or TDSP_NO_ANSWER where it is not. */
+tdsp_status solver_pinch(const tdsp_solver *solver, tdsp_gap *out);
+
 /* Is this time too many journeys away to be answered, in a scene where something grows? */
 int solver_is_far(const tdsp_solver *solver, double time);
 

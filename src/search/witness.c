@@ -176,8 +176,7 @@ static void witness_polish(const tdsp_solver *solver, tdsp_gap *gap)
         }
 }
 
-/* Of the path of the solver's last answer. */
-static tdsp_status witness_look(const tdsp_solver *solver, tdsp_gap *out)
+tdsp_status solver_pinch(const tdsp_solver *solver, tdsp_gap *out)
 {
     const tdsp_scene *scene = solver->scene;
     pinch found = {solver, NULL, TOUCH * (scene->length + scene->journey.radius), {TDSP_NO_DISC, TDSP_NO_DISC, 0.0, {0, 0}}};
@@ -194,5 +193,5 @@ tdsp_status tdsp_solver_gap(tdsp_solver *solver, double departure, tdsp_gap *out
     if (!out) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = tdsp_earliest_arrival(solver, departure, &arrival);
     if (status != TDSP_OK) return tdsp_status_is_answer(status) ? TDSP_NO_ANSWER : status;
-    return witness_look(solver, out);
+    return solver_pinch(solver, out);
 }

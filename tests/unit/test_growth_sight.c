@@ -142,9 +142,9 @@ static void a_pass_is_at_the_least_value_of_its_run(void **state)
 /* The least clearance over a part of the motion, by sampling and then by thirds around the least sample. */
 static double least_clearance(const motion *m, double low, double high)
 {
-    enum { LOOKS = 600 };
-    double least = INFINITY, best = low, step = (high - low) / LOOKS;
-    for (int i = 0; i <= LOOKS; ++i) {
+    const int looks = 600;
+    double least = INFINITY, best = low, step = (high - low) / looks;
+    for (int i = 0; i <= looks; ++i) {
         double found = clearance(m, low + i * step);
         if (found < least) {
             least = found;

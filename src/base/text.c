@@ -31,6 +31,7 @@ size_t text_utf8_length(const unsigned char *p, const unsigned char *end)
 
 int text_is_utf8(const unsigned char *p, size_t length)
 {
+    if (length == 0) return 1; /* p may be NULL */
     const unsigned char *end = p + length;
     while (p < end) {
         size_t step = text_utf8_length(p, end);

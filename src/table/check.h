@@ -12,6 +12,9 @@ int check_opaque(const tdsp_table *table);
 int check_guides(const tdsp_table *table);
 int check_gaps(const tdsp_table *table);
 
+/* As tdsp_table_open(), but what it gives back when it fails is of no use. */
+tdsp_status table_open_into(tdsp_table *view, const void *bytes, size_t length);
+
 /* Open bytes that tdsp_table_open() has accepted before: only what keeps reads inside the bytes is checked anew. O(1). */
 tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length);
 

@@ -10,6 +10,7 @@
 #include "base/sizes.h"
 #include "base/text.h"
 #include "table/check.h"
+#include "table/format.h"
 #include "tdsp/matrix.h"
 
 static tdsp_status matrix_lengths(const unsigned char *bytes, size_t length)
@@ -93,9 +94,10 @@ static const unsigned char *matrix_pair(const tdsp_matrix *matrix, uint64_t i, u
     return matrix->bytes + matrix->pairs + MATRIX_PAIR_SIZE * (i * matrix->destinations + j);
 }
 
-static int same_place(tdsp_point a, tdsp_point b)
+/* Does a table's header have this place at an offset? */
+static int names_place(const unsigned char *table, size_t at, tdsp_point place)
 {
-    return a.x == b.x && a.y == b.y;
+    return bytes_get_f64(table + at) == place.x && bytes_get_f64(table + at + 8) == place.y;
 }
 
 static int matrix_is_reason(uint32_t status)
@@ -110,12 +112,13 @@ static int matrix_pair_is_good(const tdsp_matrix *view, uint64_t i, uint64_t j, 
     uint64_t offset = bytes_get_u64(pair + MATRIX_PAIR_AT_OFFSET), length = bytes_get_u64(pair + MATRIX_PAIR_AT_LENGTH);
     uint32_t status = bytes_get_u32(pair + MATRIX_PAIR_AT_STATUS);
     tdsp_table table;
-    tdsp_table_info info;
     if (bytes_get_u32(pair + MATRIX_PAIR_AT_ZERO) != 0) return 0;
     if (status != TDSP_OK) return offset == 0 && length == 0 && matrix_is_reason(status);
     if (!matrix_take(view, offset, length, cursor)) return 0;
-    if (tdsp_table_open(&table, view->bytes + offset, (size_t)length) != TDSP_OK || tdsp_table_get_info(&table, &info) != TDSP_OK) return 0;
-    return same_place(info.source, matrix_end(view, i).place) && same_place(info.destination, matrix_end(view, view->sources + j).place);
+    const unsigned char *bytes = view->bytes + offset;
+    if (table_open_into(&table, bytes, (size_t)length) != TDSP_OK) return 0;
+    return names_place(bytes, FORMAT_AT_SOURCE, matrix_end(view, i).place) &&
+           names_place(bytes, FORMAT_AT_DESTINATION, matrix_end(view, view->sources + j).place);
 }
 
 static int matrix_pairs_are_good(const tdsp_matrix *view, uint64_t cursor)

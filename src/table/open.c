@@ -170,20 +170,25 @@ static int open_view_placed(tdsp_table *view, const unsigned char *bytes, size_t
     return 1;
 }
 
-tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
+tdsp_status table_open_into(tdsp_table *view, const void *bytes, size_t length)
 {
-    if (!table || !bytes) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = open_lengths(bytes, length);
     if (status == TDSP_OK) status = open_checksums(bytes, length);
     if (status != TDSP_OK) return status;
+    memset(view, 0, sizeof *view);
+    if (!open_view_placed(view, bytes, length)) return TDSP_BAD_TABLE;
+    if (!check_header(view) || !check_rows(view) || !check_paths(view) || !check_opaque(view)) return TDSP_BAD_TABLE;
+    open_span(view);
+    return check_guides(view) && check_gaps(view) ? TDSP_OK : TDSP_BAD_TABLE;
+}
 
-    tdsp_table view = {0};
-    if (!open_view_placed(&view, bytes, length)) return TDSP_BAD_TABLE;
-    if (!check_header(&view) || !check_rows(&view) || !check_paths(&view) || !check_opaque(&view)) return TDSP_BAD_TABLE;
-    open_span(&view);
-    if (!check_guides(&view) || !check_gaps(&view)) return TDSP_BAD_TABLE;
-    *table = view;
-    return TDSP_OK;
+tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
+{
+    tdsp_table view;
+    if (!table || !bytes) return TDSP_INVALID_ARGUMENT;
+    tdsp_status status = table_open_into(&view, bytes, length);
+    if (status == TDSP_OK) *table = view;
+    return status;
 }
 
 tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length)

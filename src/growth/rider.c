@@ -61,9 +61,11 @@ tdsp_point rider_place(const growth_shape *shape, double sign, const growth_ride
 
 sight_line rider_leaves(const growth_shape *shape, double sign, const growth_ride *ride, const growth_moment *moment)
 {
-    double normal = rider_normal(shape, sign, ride, moment), radius = shape_jet(shape, moment->span, sign * moment->time).radius;
-    sight_line line = {point_along(shape->center, radius, point_unit(normal)),
-                       point_unit(normal + ride->side * moment_theta(shape, sign, moment)), moment->time};
+    law_jet jet = shape_jet(shape, moment->span, sign * moment->time);
+    tdsp_point out = point_unit(rider_normal(shape, sign, ride, moment));
+    double rate = moment->in_fan ? cos(moment->theta) : fmin(sign * jet.rate, 1.0);
+    double across = ride->side * (moment->in_fan ? sin(moment->theta) : sqrt(fmax((1.0 - rate) * (1.0 + rate), 0.0)));
+    sight_line line = {point_along(shape->center, jet.radius, out), {rate * out.x - across * out.y, rate * out.y + across * out.x}, moment->time};
     return line;
 }
 

@@ -50,6 +50,29 @@ static tdsp_scene *made_scene(const char *kind, guint discs, gboolean near)
     return scene;
 }
 
+/* Likewise, but 0.6 of the rate at first, and more by 0.6 of it in the time that the straight way takes. */
+static tdsp_scene *accelerating_scene(const char *kind, guint discs)
+{
+    Generated made = {.discs = g_array_new(FALSE, FALSE, sizeof(tdsp_disc))};
+    tdsp_scene *scene = NULL;
+    const char *wrong = world_make(&(World){kind, discs, FALSE, 1}, &made);
+    expect(!wrong, kind, wrong ? wrong : "");
+    tdsp_point a = made.journey.source, b = made.journey.destination;
+    double straight = hypot(a.x - b.x, a.y - b.y) / made.journey.speed;
+    g_autofree tdsp_growing_disc *growing = g_new0(tdsp_growing_disc, made.discs->len);
+    g_autofree double *rates = g_new(double, 2 * made.discs->len);
+    for (guint i = 0; i < made.discs->len; i++) {
+        tdsp_disc disc = g_array_index(made.discs, tdsp_disc, i);
+        rates[2 * i] = 0.6 * disc.growth;
+        rates[2 * i + 1] = 0.3 * disc.growth / straight;
+        growing[i] = (tdsp_growing_disc){disc.center, disc.radius, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = &rates[2 * i]}};
+    }
+    tdsp_scene_create_growing(&made.journey, growing, made.discs->len, NULL, &scene);
+    expect(scene != NULL, kind, "no scene of growing discs");
+    g_array_unref(made.discs);
+    return scene;
+}
+
 static tdsp_scene *example_scene(const char *folder, const char *name)
 {
     g_autofree char *path = g_build_filename(folder, name, NULL);
@@ -250,6 +273,7 @@ int main(int argc, char **argv)
     forward("forward-wall", made_scene("wall", 100, FALSE), TDSP_OK);
     forward("forward-near", made_scene("mixed", 10000, TRUE), TDSP_OK);
     forward("forward-fire", example_scene(argv[1], "fire-oregon-c.json"), TDSP_OK);
+    forward("forward-changing", accelerating_scene("crowd", 300), TDSP_OK);
     within("within", made_scene("random", 3000, FALSE));
     forward("no-path", made_scene("sealed", 1000, FALSE), TDSP_CUT_OFF);
     neighbours("neighbours", made_scene("mixed", 300, FALSE));

@@ -69,12 +69,12 @@ tdsp_point ride_position(const geom_ride *ride, double time)
  */
 typedef struct contact_state {
     double time;
-    double value; /* F, with the touch forgiven */
+    double value; /* F, with the touch forgiven, and the grace given */
     double slope; /* F' */
     double reach; /* |z| */
 } contact_state;
 
-static contact_state contact_at(const geom_ride *ride, const geom_disc *other, double time)
+static contact_state contact_at(const geom_ride *ride, const geom_disc *other, double time, double grace)
 {
     double angle = ride_angle(ride, time);
     tdsp_point offset = point_sub(disc_boundary(ride->disc, angle, time), other->center);
@@ -82,7 +82,7 @@ static contact_state contact_at(const geom_ride *ride, const geom_disc *other, d
     double radius = disc_radius(other, time), distance = point_length(offset);
     double touch = GEOM_CONTACT * (distance + radius);
     double gap = distance - radius + touch;
-    contact_state state = {time, gap * (distance + radius), 2.0 * (point_dot(offset, heading) - radius * other->rate), distance};
+    contact_state state = {time, gap * (distance + radius) + grace, 2.0 * (point_dot(offset, heading) - radius * other->rate), distance};
     return state;
 }
 
@@ -114,7 +114,7 @@ static int contact_free(contact_state a, contact_state b, double least)
  * F falls through zero once between a and b. Newton's step from a lands near the zero, on either side; after a step that stayed outside twice the next one
  * is tried, which lands inside and brings b near as well.
  */
-static double contact_solve(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b)
+static double contact_solve(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b, double grace)
 {
     double enough = CONTACT_TIME * (fabs(b.time) + (b.time - a.time));
     int stayed_outside = 0;
@@ -122,7 +122,7 @@ static double contact_solve(const geom_ride *ride, const geom_disc *other, conta
         double newton = -a.value / a.slope, time = a.time + (stayed_outside ? 2.0 * newton + 0.5 * enough : newton);
         if (!(time > a.time && time < b.time) || step % 8 == 7) time = 0.5 * (a.time + b.time);
         if (time <= a.time || time >= b.time) break;
-        contact_state state = contact_at(ride, other, time);
+        contact_state state = contact_at(ride, other, time, grace);
         stayed_outside = state.value >= 0.0;
         if (stayed_outside) {
             a = state;
@@ -152,17 +152,32 @@ static int contact_impossible(const geom_ride *ride, const geom_disc *other)
     return cosine > 1.0 + GEOM_ANGLE_NEAR || (ahead - turn > window && GEOM_TURN - ahead > window);
 }
 
+/*
+ * How much more is forgiven to a ride that begins inside the other disc. One that came over from there at a touch (ride_touch()) was forgiven in proportion to the disc that
+ * it rides now, and moves outwards. INFINITY when it is in deeper, or moves inwards.
+ */
+static double contact_grace(const geom_ride *ride, const geom_disc *other, contact_state start)
+{
+    double forgiven = 2.0 * GEOM_CONTACT * disc_radius(ride->disc, start.time) * (start.reach + disc_radius(other, start.time));
+    int outwards = start.slope >= 0.0 || start.slope * start.slope <= (1.0 - other->rate * other->rate) * forgiven;
+    return outwards && start.value >= -forgiven ? 2.0 * forgiven : INFINITY;
+}
+
 #define CONTACT_DEPTH 48
 
 double ride_contact(const geom_ride *ride, const geom_disc *other)
 {
     if (contact_impossible(ride, other)) return INFINITY;
     contact_state later[CONTACT_DEPTH + 2]; /* the ends of the intervals still to do, the next one on top */
-    double smallest = (ride->end - ride->start) * 1e-9;
+    double smallest = (ride->end - ride->start) * 1e-9, grace = 0.0;
     int top = 0;
-    contact_state a = contact_at(ride, other, ride->start);
-    if (a.value < 0.0) return ride->start;
-    later[top++] = contact_at(ride, other, ride->end);
+    contact_state a = contact_at(ride, other, ride->start, 0.0);
+    if (a.value < 0.0) {
+        grace = contact_grace(ride, other, a);
+        if (isinf(grace)) return ride->start;
+        a.value += grace;
+    }
+    later[top++] = contact_at(ride, other, ride->end, grace);
     while (top > 0) {
         contact_state b = later[top - 1];
         double least, most;
@@ -174,14 +189,95 @@ double ride_contact(const geom_ride *ride, const geom_disc *other)
         }
         double span = b.time - a.time;
         int falls = a.slope + (most > 0.0 ? most * span : 0.0) < 0.0;
-        if (b.value < 0.0 && falls) return contact_solve(ride, other, a, b);
+        if (b.value < 0.0 && falls) return contact_solve(ride, other, a, b, grace);
         if (span <= smallest || top > CONTACT_DEPTH) {
             if (b.value < 0.0) return a.time;
             a = b;
             --top;
             continue;
         }
-        later[top++] = contact_at(ride, other, a.time + 0.5 * span);
+        later[top++] = contact_at(ride, other, a.time + 0.5 * span, grace);
     }
     return INFINITY;
+}
+
+/*
+ * Where boundaries cross, with normals that are theta_i + theta_k apart, their corner is as fast as a robot and runs along both of them:
+ *
+ *     g = D^2 - R_i^2 - R_k^2 + 2 R_i R_k cos(theta_i + theta_k) = 0
+ *
+ * Before that a corner at the rider's heels is left behind by changing over to the other disc; who is overtaken is caught between the two. g falls as the discs grow.
+ */
+static double touch_gap(const geom_ride *ride, const geom_disc *other, double time)
+{
+    const geom_disc *disc = ride->disc;
+    double cosine = disc->rate * other->rate - disc->sine * other->sine;
+    double own = disc_radius(disc, time), radius = disc_radius(other, time), distance = point_distance(disc->center, other->center);
+    return distance * distance - own * own - radius * radius + 2.0 * own * radius * cosine;
+}
+
+/* A corner that misses g = 0 by more is no touch: |g| <= 2 R_k D eta for a clearance of eta R_k. */
+#define TOUCH_GAP (8.0 * GEOM_CONTACT)
+
+/* The time at which |g| is least, if that is little enough. */
+static int touch_moment(const geom_ride *ride, const geom_disc *other, double *time)
+{
+    double from = ride->start, to = ride->end, a = touch_gap(ride, other, from), b = touch_gap(ride, other, to);
+    double s0 = disc_radius(ride->disc, from) + disc_radius(other, from), s1 = disc_radius(ride->disc, to) + disc_radius(other, to);
+    double near = TOUCH_GAP * (s0 > s1 ? s0 * s0 : s1 * s1);
+    if ((a > near && b > near) || (a < -near && b < -near)) return 0;
+    *time = fabs(a) < fabs(b) ? from : to;
+    for (int step = 0; step < 60 && (a > 0.0) != (b > 0.0); ++step) {
+        *time = 0.5 * (from + to);
+        if (!(*time > from && *time < to)) break;
+        double middle = touch_gap(ride, other, *time);
+        if ((middle > 0.0) == (a > 0.0))
+            from = *time;
+        else
+            to = *time;
+    }
+    return 1;
+}
+
+/* When the rider is where the corner is at the moment given. */
+static double touch_meets(const geom_ride *ride, const geom_disc *other, double moment)
+{
+    const geom_disc *disc = ride->disc;
+    tdsp_point between = point_sub(other->center, disc->center);
+    double cosine = disc->rate * other->rate - disc->sine * other->sine, sine = disc->sine * other->rate + disc->rate * other->sine;
+    double own = disc_radius(disc, moment), turned = atan2(own * sine, own * cosine - disc_radius(other, moment));
+    double corner = atan2(between.y, between.x) - ride->side * (disc->theta + other->theta - turned);
+    double ahead = angle_positive(ride->side * (corner - ride_angle(ride, moment)));
+    return moment + (ahead > GEOM_PI ? ahead - GEOM_TURN : ahead) * own / disc->sine;
+}
+
+/* F'' there. */
+static double contact_bend_at(const geom_ride *ride, const geom_disc *other, double time)
+{
+    double angle = ride_angle(ride, time), radius = disc_radius(ride->disc, time);
+    tdsp_point offset = point_sub(disc_boundary(ride->disc, angle, time), other->center);
+    tdsp_point heading = point_unit(disc_heading(ride->disc, ride->side, angle));
+    double swing = ride->side * ride->disc->sine / radius * point_cross(heading, offset);
+    return 2.0 * (1.0 - other->rate * other->rate) + 2.0 * swing;
+}
+
+/* How far outside of the ride a touch may seem to be, as a share of its time. */
+#define TOUCH_EDGE 1e-9
+
+int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
+{
+    double moment;
+    if (!touch_moment(ride, other, &moment)) return 0;
+    double at = touch_meets(ride, other, moment), edge = TOUCH_EDGE * (ride->end - ride->start);
+    for (int step = 0; step < 8; ++step) {
+        if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
+        double bend = contact_bend_at(ride, other, at);
+        if (!(bend > 0.0)) return 0;
+        at -= contact_at(ride, other, at, 0.0).slope / bend;
+    }
+    if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
+    *time = fmin(fmax(at, ride->start), ride->end);
+    contact_state state = contact_at(ride, other, *time, 0.0);
+    double radius = disc_radius(other, *time), sizes = state.reach + radius;
+    return state.value >= 0.0 && state.value <= 2.0 * GEOM_CONTACT * sizes * sizes;
 }

@@ -40,4 +40,10 @@ tdsp_point ride_position(const geom_ride *ride, double time);
 /* The first time at which the ride enters `other` by more than a touch; infinite when it does not. */
 double ride_contact(const geom_ride *ride, const geom_disc *other);
 
+/*
+ * Does the ride pass `other`, which lies on the other side of its way, in no more than a touch, in either sense? *time: when it is nearest. Then the leg from the one
+ * to the other has shrunk to nothing, and rounding decides whether it exists.
+ */
+int ride_touch(const geom_ride *ride, const geom_disc *other, double *time);
+
 #endif

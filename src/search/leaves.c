@@ -62,6 +62,28 @@ static tdsp_status task_push(leave_task *task, const geom_tangent *tangent, uint
     return engine_push_leg(engine, &leg, task->done);
 }
 
+/*
+ * Discs that just close the gap that the rider passes: whoever is let past may also change over, or rounding would leave a way that neither world has, the one with the
+ * gap and the one without.
+ */
+static tdsp_status task_try_touch(leave_task *task, const geom_disc *disc, uint32_t target)
+{
+    const geom_ride *motion = &task->wedge.motion;
+    double leave;
+    if (!ride_touch(motion, disc, &leave)) return TDSP_OK;
+    double normal = ride_angle(motion, leave), heading = disc_heading(motion->disc, motion->side, normal);
+    engine_leg leg = {task->ride, target, -motion->side, task->goal, leave, normal, heading, 0.0, 0.0};
+    leg.bound = engine_bound(task->engine, disc_boundary(motion->disc, normal, leave));
+    return engine_push_leg(task->engine, &leg, task->done);
+}
+
+/* Does the leg of this branch shrink to nothing as the gap between the discs closes? */
+static int task_may_touch(const leave_task *task, const geom_tangent *tangent, uint32_t target)
+{
+    int shrinks = (tangent->from->rate + tangent->to->rate < 0.0) == (tangent->root < 0);
+    return target != ENGINE_GOAL && !task_is_start(task) && tangent->to_side != tangent->side && shrinks;
+}
+
 /* Push the leg of one branch, if it leaves this chunk. */
 static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int root, int is_apart)
 {
@@ -72,7 +94,8 @@ static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t ta
     int leaves = task_is_start(task) ? 1
                  : is_apart          ? tangent_leave_apart(&tangent, motion->angle, motion->start, motion->end, &leave)
                                      : tangent_leave(&tangent, motion->angle, motion->start, motion->end, &leave);
-    return leaves ? task_push(task, &tangent, target, leave) : TDSP_OK;
+    if (leaves) return task_push(task, &tangent, target, leave);
+    return !is_apart && task_may_touch(task, &tangent, target) ? task_try_touch(task, tangent.to, target) : TDSP_OK;
 }
 
 /*

@@ -154,11 +154,11 @@ static int contact_impossible(const geom_ride *ride, const geom_disc *other)
 
 /*
  * How much more is forgiven to a ride that begins inside the other disc. One that came over from there at a touch (ride_touch()) was forgiven in proportion to the disc that
- * it rides now, and moves outwards. INFINITY when it is in deeper, or moves inwards.
+ * it rides now, twice its radius or a little more, and moves outwards. INFINITY when it is in deeper, or moves inwards.
  */
 static double contact_grace(const geom_ride *ride, const geom_disc *other, contact_state start)
 {
-    double forgiven = 2.0 * GEOM_CONTACT * disc_radius(ride->disc, start.time) * (start.reach + disc_radius(other, start.time));
+    double forgiven = 2.5 * GEOM_CONTACT * disc_radius(ride->disc, start.time) * (start.reach + disc_radius(other, start.time));
     int outwards = start.slope >= 0.0 || start.slope * start.slope <= (1.0 - other->rate * other->rate) * forgiven;
     return outwards && start.value >= -forgiven ? 2.0 * forgiven : INFINITY;
 }
@@ -264,6 +264,12 @@ static double contact_bend_at(const geom_ride *ride, const geom_disc *other, dou
 /* How far outside of the ride a touch may seem to be, as a share of its time. */
 #define TOUCH_EDGE 1e-9
 
+/*
+ * Rounding of F, as a share of what is forgiven. A ride that ends with no more left was stopped by the other disc there, so the gap is closed; one that was not stopped
+ * may seem to be in deeper by as much.
+ */
+#define TOUCH_SAME 1e-3
+
 int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
 {
     double moment;
@@ -277,7 +283,7 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
     }
     if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
     *time = fmin(fmax(at, ride->start), ride->end);
-    contact_state state = contact_at(ride, other, *time, 0.0);
-    double radius = disc_radius(other, *time), sizes = state.reach + radius;
-    return state.value >= 0.0 && state.value <= 2.0 * GEOM_CONTACT * sizes * sizes;
+    contact_state state = contact_at(ride, other, *time, 0.0), end = contact_at(ride, other, ride->end, 0.0);
+    double sizes = state.reach + disc_radius(other, *time), forgiven = GEOM_CONTACT * sizes * sizes;
+    return state.value >= -TOUCH_SAME * forgiven && state.value <= 2.0 * forgiven && end.value > TOUCH_SAME * forgiven;
 }

@@ -6,6 +6,8 @@
  * other rides on: a path that goes on from there arrives later than it could. Riders of one side turn alike, so two rides either follow each other for good or share
  * nothing; riders of different sides meet once, and both end there.
  *
+ * That asks of every ride that it may do what a robot in its place may: one that is let past a disc at a touch must be able to change over to it (ride_touch()).
+ *
  * Only a slower disc that pokes out in between and is swallowed again can stop the one who goes straight outwards; where slower discs exist, it is tested.
  * Backwards in time the same holds with "later", for whoever has to leave a place earlier arrives before the arrival asked for.
  */

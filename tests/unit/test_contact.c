@@ -220,9 +220,55 @@ static void a_ride_that_passes_a_touching_disc_is_free(void **state)
     assert_true(isinf(ride_contact(&ride, &other)));
 }
 
+/* Two discs of one rate whose corner is as fast as a robot at time 0, where it is at the angle *corner, with so much room (or the lack of it) between them. */
+static void slow_corner(geom_disc *disc, geom_disc *other, double radius, double q, double rate, double room, double *corner)
+{
+    *disc = disc_make(point_make(0.0, 0.0), radius, rate);
+    double turn = 2.0 * disc->theta, apart = sqrt(radius * radius + q * q - 2.0 * radius * q * cos(turn));
+    *corner = -atan2(q * sin(turn), radius - q * cos(turn));
+    *other = disc_make(point_make(apart + room, 0.0), q, rate);
+}
+
+/* The rider reaches the corner in the moment in which it has become slow enough to be escaped. */
+static int touches(const geom_disc *disc, const geom_disc *other, double corner, double *time)
+{
+    double turn = 0.2, begins = disc->radius / disc->rate * expm1(-disc->rate / disc->sine * turn);
+    geom_ride ride = {disc, -1, corner + turn, begins, 0.5 * turn};
+    return ride_touch(&ride, other, time);
+}
+
+static void a_touch_is_found_as_long_as_the_rider_is_let_past_and_no_longer(void **state)
+{
+    (void)state;
+    uint64_t chance = 7;
+    for (int k = 0; k < 500; ++k) {
+        geom_disc disc, other;
+        double corner, time = -1.0, rate = chance_between(&chance, 0.05, 0.5), q = chance_between(&chance, 0.2, 3.0);
+        slow_corner(&disc, &other, 1.0, q, rate, 0.0, &corner);
+        assert_true(touches(&disc, &other, corner, &time));
+        assert_near(time, 0.0, 1e-9);
+        slow_corner(&disc, &other, 1.0, q, rate, -1e-9, &corner);
+        assert_false(touches(&disc, &other, corner, &time));
+        slow_corner(&disc, &other, 1.0, q, rate, 1e-9, &corner);
+        assert_false(touches(&disc, &other, corner, &time));
+    }
+}
+
+static void whoever_comes_over_at_a_touch_rides_on(void **state)
+{
+    (void)state;
+    geom_disc small = disc_make(point_make(0.0, 0.0), 0.01, 0.0), large = disc_make(point_make(1.01, 0.0), 1.0 + 1e-12, 0.0);
+    geom_ride over = {&large, 1, GEOM_PI, 0.0, 0.5};
+    assert_true(isinf(ride_contact(&over, &small)));
+    large.radius = 1.0 + 1e-11;
+    assert_exact(ride_contact(&over, &small), 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_touch_is_found_as_long_as_the_rider_is_let_past_and_no_longer),
+        cmocka_unit_test(whoever_comes_over_at_a_touch_rides_on),
         cmocka_unit_test(a_line_is_blocked_exactly_when_samples_lie_inside),
         cmocka_unit_test(the_first_contact_of_a_line_is_where_it_enters),
         cmocka_unit_test(a_line_that_only_touches_is_free),

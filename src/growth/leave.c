@@ -58,6 +58,8 @@ static double target_value(const leave_target *target, double at)
 static double target_root(const leave_target *target, double a, double fa, double b, double fb, double enough)
 {
     int last = 0;
+    if (fa == 0.0) return a;
+    if (fb == 0.0) return b;
     for (int step = 0; step < 200; ++step) {
         double width = b - a, at = step % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
         if (!(at > a && at < b)) at = 0.5 * (a + b);

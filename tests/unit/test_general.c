@@ -188,29 +188,6 @@ static void the_general_method_agrees_with_the_others(void **state)
 /* 1 + 0.4 t - 0.05 t^2, which grows until 4; as it is, and as a law by callback that stays from then on. */
 static const double sinking[2] = {0.4, -0.05};
 
-/* A rider who lands on the second of three discs in a row stands on its tangent to the third to the bit: the leg is left there and then. */
-static void a_common_tangent_of_a_row_of_discs_is_left_where_it_lands(void **state)
-{
-    (void)state;
-    const tdsp_journey journey = {1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}};
-    const double rate = 0.21354412825114386;
-    const tdsp_disc discs[3] = {{{-0.5, 0.0}, 0.25, rate}, {{-0.25, 0.0}, 0.25, rate}, {{0.0, 0.0}, 0.25, rate}};
-    tdsp_scene *scene;
-    tdsp_solver *general, *other;
-    assert_int_equal(tdsp_scene_create(&journey, discs, 3, NULL, &scene), TDSP_OK);
-    assert_int_equal(tdsp_solver_create_for(scene, TDSP_METHOD_GENERAL, &general), TDSP_OK);
-    assert_int_equal(tdsp_solver_create(scene, &other), TDSP_OK);
-    for (int i = 0; i < 600; i++) {
-        double found, expected;
-        assert_int_equal(tdsp_earliest_arrival(general, 0.001 * i, &found), TDSP_OK);
-        assert_int_equal(tdsp_earliest_arrival(other, 0.001 * i, &expected), TDSP_OK);
-        assert_near(found, expected, 1e-12);
-    }
-    tdsp_solver_free(general);
-    tdsp_solver_free(other);
-    tdsp_scene_free(scene);
-}
-
 static void staying(void *ctx, double time, double *radius, double *rate)
 {
     (void)ctx;
@@ -496,7 +473,6 @@ int main(void)
         cmocka_unit_test(a_method_makes_a_solver_where_it_applies),
         cmocka_unit_test(a_method_that_is_none_is_refused),
         cmocka_unit_test(the_general_method_agrees_with_the_others),
-        cmocka_unit_test(a_common_tangent_of_a_row_of_discs_is_left_where_it_lands),
         cmocka_unit_test(answers_up_to_the_moment_a_disc_shrinks_are_those_of_a_disc_that_stays),
         cmocka_unit_test(the_latest_departure_is_told_up_to_the_moment_a_disc_shrinks),
         cmocka_unit_test(what_ends_the_departures_before_a_disc_shrinks_is_told),

@@ -251,7 +251,6 @@ tdsp_status growth_run(growth_engine *engine, const growth_question *question)
     engine->is_explained = 0;
     engine->latest = question->time;
     for (uint32_t i = 0; i < engine->shape_count; ++i) engine->heads[i] = GROWTH_NONE;
-    ++engine->runs;
     for (uint32_t i = 0; i < engine->member_count; ++i)
         if (sight_is_inside(engine_shape(engine, engine->members[i]), question->sign, question->start, question->time)) return TDSP_OK;
     tdsp_status status = members_reach(engine);

@@ -88,7 +88,7 @@ typedef struct growth_engine {
     uint32_t arrived; /* the leg that reached the goal, or GROWTH_NONE */
     int is_explained;
     double latest;    /* no disc was looked at after this */
-    uint64_t labels, legs_tested, runs;
+    uint64_t labels, legs_tested; /* so far */
 } growth_engine;
 
 /* Search among the engine's members. TDSP_OK, whether it arrived or not, or TDSP_NO_MEMORY. */

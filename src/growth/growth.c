@@ -105,6 +105,13 @@ uint64_t growth_bytes(const growth_solver *self)
     return bytes;
 }
 
+void growth_add_work(const growth_solver *self, tdsp_solver_work *work)
+{
+    work->labels += self->engine.labels;
+    work->legs_tested += self->engine.legs_tested;
+    work->rounds += self->rounds;
+}
+
 static void member_add(growth_solver *self, uint32_t disc)
 {
     if (self->is_member[disc]) return;

@@ -9,6 +9,7 @@
 
 #include "growth/engine.h"
 #include "scene/scene.h"
+#include "tdsp/solver.h"
 
 typedef struct growth_solver {
     const tdsp_scene *scene;
@@ -21,6 +22,9 @@ typedef struct growth_solver {
 tdsp_status growth_create(const tdsp_scene *scene, growth_solver **out);
 void growth_free(growth_solver *self);
 uint64_t growth_bytes(const growth_solver *self);
+
+/* Add the labels, legs tested and rounds so far to a solver's counters. */
+void growth_add_work(const growth_solver *self, tdsp_solver_work *work);
 
 /* The earliest arrival: TDSP_OK; TDSP_CUT_OFF when there is no way, for whatever reason, as is clear from the discs up to *looked_until; TDSP_NO_MEMORY. The source is free at the departure. */
 tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double departure, double *arrival, double *looked_until);

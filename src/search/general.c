@@ -116,7 +116,7 @@ static tdsp_status general_endless(general_state *state)
     tdsp_status status;
     state->scale += last;
     if (general_try(state, last, &status) && isinf(covered)) state->best = state->arrives = INFINITY;
-    if (status == TDSP_OK && state->best < last && state->best < 0.0 && last > 0.0) general_try(state, 0.0, &status);
+    if (status == TDSP_OK && state->best < 0.0 && last > 0.0) general_try(state, 0.0, &status);
     return status == TDSP_OK && state->best >= 0.0 && state->best < last ? general_bisect(state) : status;
 }
 

@@ -219,8 +219,10 @@ tdsp_status tdsp_solver_work_done(const tdsp_solver *solver, tdsp_solver_work *o
     out->labels = solver->engine.open->taken;
     out->legs_tested = solver->engine.legs_tested;
     out->rounds = solver->relaxation.rounds;
+    if (solver->growth) growth_add_work(solver->growth, out);
     out->bytes = sizeof *solver + engine_bytes(&solver->engine) + relax_bytes(&solver->relaxation) + set_bytes(&solver->enclosure.wall) + solver->path_capacity * sizeof *solver->path +
                  solver->gap_capacity * sizeof *solver->gaps;
+    if (solver->growth) out->bytes += growth_bytes(solver->growth);
     return TDSP_OK;
 }
 

@@ -1,6 +1,6 @@
 /*
  * A second opinion on A(t) for any growth law: slow, written for its argument, for a handful of discs. It shares no code with the
- * library, nor with the slow solver for discs of one rate (slow.h), whose argument it extends.
+ * library, nor with the slow solver for discs of one rate (slow.h), whose argument it extends, but how a zero is bracketed.
  *
  * Write the robot's speed as 1. Along a straight motion x(T) the square |x - O|^2 - T^2 is linear in T, so against one disc the motion
  * is a line in the plane of time and height, and free of the disc where that line is not below g(T) = R(T)^2 - T^2. Everything about

@@ -437,6 +437,17 @@ static void a_source_inside_a_disc_is_covered(void **state)
     drop(&w);
 }
 
+static void work_is_counted(void **state)
+{
+    (void)state;
+    const tdsp_growing_disc disc = of_powers(0.0, 0.0, 0.5, powers, 2);
+    world w = open_growing(&across, &disc, 1);
+    tdsp_solver_work work;
+    assert_true(arrival_of(w.solver, 0.0).status == TDSP_OK && tdsp_solver_work_done(w.solver, &work) == TDSP_OK);
+    assert_true(work.forward_searches == 1 && work.labels > 2 && work.legs_tested > 2 && work.bytes > 1000);
+    drop(&w);
+}
+
 static void who_is_there_already_arrives_at_once(void **state)
 {
     (void)state;
@@ -481,6 +492,7 @@ int main(void)
         cmocka_unit_test(a_table_without_an_end_needs_a_horizon),
         cmocka_unit_test(a_gap_that_closes_before_the_discs_stop_ends_the_departures),
         cmocka_unit_test(a_source_inside_a_disc_is_covered),
+        cmocka_unit_test(work_is_counted),
         cmocka_unit_test(who_is_there_already_arrives_at_once),
         cmocka_unit_test(a_departure_too_far_away_is_refused),
     };

@@ -75,7 +75,6 @@ QUERY_SOURCES := $(filter src/base/% src/geom/% src/table/% src/query/%,$(LIB_SO
 TOOL_SOURCES := $(sort $(wildcard tools/tdsp/*.c))
 SUPPORT_SOURCES := $(sort $(wildcard tests/support/*.c tests/slow/*.c))
 TEST_SOURCES := $(sort $(wildcard tests/unit/test_*.c tests/property/test_*.c tests/cli/test_*.c))
-FUZZ_SOURCES := $(sort $(wildcard tests/fuzz/*.c))
 
 objects = $(patsubst %.c,$(BUILD)/obj/%.o,$(1))
 
@@ -87,7 +86,6 @@ COMMAND := $(if $(TOOL_SOURCES),$(BUILD)/tdsp)
 COMMAND_PARTS := $(BUILD)/libcommand.a
 SUPPORT := $(BUILD)/tests/libsupport.a
 TESTS := $(patsubst %.c,$(BUILD)/%,$(TEST_SOURCES))
-FUZZERS := $(patsubst %.c,$(BUILD)/%,$(FUZZ_SOURCES))
 
 .PHONY: all
 all: $(STATIC) $(QUERY) $(SHARED) $(COMMAND) ## build the library and the command (build/tdsp)
@@ -146,10 +144,6 @@ $(TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT) $(COMMAND_PARTS) $
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) $< $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
 
-$(FUZZERS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $< $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
-
 -include $(shell find $(BUILD)/obj -name '*.d' 2>/dev/null)
 
 .PHONY: tests
@@ -200,46 +194,6 @@ demo: ## the main job on a real scene: table and two pictures in build/demo
 pictures: all ## draw the pictures of README.md and docs/math again
 	tools/setup/pictures.sh $(BUILD) $(DEMO_SCENE) docs/pictures
 
-# ---------------------------------------------------------------------------------------------------------------- bench
-
-# Everything in tests/bench with a main() is a program of its own; the rest is shared by them.
-BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,$(notdir $(basename $(shell grep -l '^int main' $(wildcard tests/bench/*.c tests/bench/*.cpp)))))
-BENCH_SHARED := $(call objects,$(filter-out $(BENCH_PROGRAMS:$(BUILD)/%=%.c),$(wildcard tests/bench/*.c)))
-$(filter-out %_peers,$(BENCH_PROGRAMS)): $(BUILD)/%: $(BUILD)/obj/%.o $(BENCH_SHARED) $(COMMAND_PARTS) $(STATIC)
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $(filter %.o %.a,$^) $(TOOL_LIBS) -o $@
-# valgrind does not understand the debugging information of every compiler, and needs none.
-$(BUILD)/tests/bench/gates: LDFLAGS += -Wl,--strip-debug
-# The peers of a look-up come from the C++ library; the library's own is timed beside them.
-$(BUILD)/tests/bench/lookup_peers: tests/bench/lookup_peers.cpp $(STATIC) $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CXX) -std=c++17 $(OPTIMIZE) $(CPPFLAGS) -Itests $< $(STATIC) -lm -o $@
-
-.PHONY: bench-programs
-bench-programs: all $(BENCH_PROGRAMS)
-
-# Sections: peers scaling epsilon lookup real. None given: all. The page is made from the CSV files of all sections, whenever they were measured.
-ONLY ?=
-BENCH_LIMIT ?= 15
-BENCH = $(PYTHON) tests/bench/bench.py --build $(BUILD) --limit $(BENCH_LIMIT)
-
-.PHONY: bench results
-bench: ## measure everything (ONLY="lookup real": that) and write docs/results.md, its CSV files and pictures
-	@tools/setup/packages.sh bench
-	@$(MAKE) --no-print-directory -s bench-programs
-	$(BENCH) --scenes $(TDSP_DATA)/scenes $(if $(ONLY),--only $(ONLY))
-results: ## write docs/results.md and its pictures again from the CSV files in docs/results
-	@tools/setup/packages.sh bench
-	$(BENCH) --render
-
-# Instruction counts of the hot paths, by callgrind: they repeat exactly, so that a slowdown shows on any machine, however busy.
-GATES = $(PYTHON) tests/bench/gates.py $(1) $(BUILD)/tests/bench/gates tests/bench/gates.csv examples/scenes
-.PHONY: gates gates-record
-gates: $(BUILD)/tests/bench/gates ## compare the hot paths' instruction counts with the record
-	@$(call GATES,check)
-gates-record: $(BUILD)/tests/bench/gates ## record the hot paths' instruction counts in tests/bench/gates.csv
-	@$(call GATES,record)
-
 # -------------------------------------------------------------------------------------------------------------- testing
 
 # Results of one run of the tests: CHECK/VARIANT/.../NAME.result, added up at the end. A failing test does not stop make (its result
@@ -247,7 +201,6 @@ gates-record: $(BUILD)/tests/bench/gates ## record the hot paths' instruction co
 CHECK := $(BUILD)/check
 VARIANT ?= gcc
 JOBS ?= $(shell nproc)
-FUZZ_SECONDS ?= 10
 # Tests find the command in TDSP, and its directory in TDSP_BUILD.
 RUN = @TDSP=$(abspath $(BUILD))/tdsp TDSP_BUILD=$(abspath $(BUILD)) tests/run.sh $@ "$(patsubst $(CHECK)/%.result,%,$@)"
 
@@ -271,8 +224,11 @@ $(SCRIPT_RUNS): $(CHECK)/$(VARIANT)/%.result: tests/% $(COMMAND) FORCE
 run-tests: $(TEST_RUNS) $(SCRIPT_RUNS)
 run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
 
-# Everything that is checked once and needs no variant.
-checks := runner layers functions stack links pictures headers objects examples snippets install gates bench
+# Everything that is checked once and needs no variant. A kind of test with targets of its own keeps them in tests/KIND/rules.mk, which adds to
+# `checks` what `make check` runs once, with its rule $(CHECK)/NAME.result, and to `steps` targets that need a variant of the build.
+checks := runner layers functions stack links pictures headers objects examples snippets install
+steps :=
+include $(sort $(wildcard tests/*/rules.mk))
 check_runs := $(checks:%=$(CHECK)/%.result)
 .PHONY: run-checks
 run-checks: $(check_runs)
@@ -287,26 +243,16 @@ $(CHECK)/headers.result: ; $(RUN) bash -c 'tests/headers/check.sh gcc g++; a=$$?
 $(CHECK)/objects.result: all ; $(RUN) $(PYTHON) tests/check_objects.py $(BUILD)
 $(CHECK)/examples.result: $(EXAMPLES) ; $(RUN) tests/check_examples.sh $(BUILD)/examples
 $(CHECK)/snippets.result: all ; $(RUN) $(PYTHON) tests/check_snippets.py $(BUILD) README.md $(sort $(wildcard docs/*.md docs/math/*.md))
-$(CHECK)/gates.result: $(BUILD)/tests/bench/gates ; $(RUN) $(call GATES,check)
-$(CHECK)/bench.result: bench-programs ; $(RUN) tests/bench/check.sh $(BUILD)
 $(CHECK)/install.result: all ; $(RUN) tests/install/check.sh $(MAKE) $(BUILD)
 
-.PHONY: run-fuzz
-run-fuzz: $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result)
-$(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result): $(CHECK)/%.result: $(BUILD)/tests/% FORCE
-	$(RUN) tests/fuzz.sh $(FUZZ_SECONDS) $<
-
-.PHONY: check-steps check-gcc check-clang check-sanitize check-fuzz
-check-steps: check-gcc check-clang check-sanitize check-fuzz run-checks
+.PHONY: check-steps check-gcc check-clang check-sanitize
+check-steps: check-gcc check-clang check-sanitize $(steps) run-checks
 check-gcc: run-tests
 # The second compiler is for its warnings and for what depends on the compiler: the unit tests show that.
 check-clang:
 	+@$(MAKE) --no-print-directory -s CC=$(CLANG) BUILD=$(BUILD)/clang-19 CHECK=$(CHECK) VARIANT=clang all tests examples bench-programs run-unit
 check-sanitize:
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize CHECK=$(CHECK) VARIANT=sanitize all run-tests
-check-fuzz:
-	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz CHECK=$(CHECK) run-fuzz
-
 .PHONY: check
 check: ## run every test; the last line says how many passed and failed
 	@tools/setup/packages.sh check
@@ -320,14 +266,6 @@ unit: ## run the unit tests only
 	@rm -rf $(CHECK)/$(VARIANT)/unit
 	@$(MAKE) --no-print-directory -s -k run-unit
 	@tests/summary.sh $(CHECK)/$(VARIANT)/unit
-
-.PHONY: fuzz
-fuzz: ## fuzz for FUZZ_SECONDS each (default 600)
-	@tools/setup/packages.sh check
-	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz fuzzers
-	@FUZZ_SEED=$${FUZZ_SEED:-0} tests/fuzz.sh $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
-.PHONY: fuzzers
-fuzzers: $(FUZZERS)
 
 .PHONY: format
 format: ## lay out the C sources by .clang-format

@@ -3,12 +3,13 @@
 #   packages.sh demo     what the library and the command need
 #   packages.sh bench    that, and what measuring needs
 #   packages.sh check    both, and what the tests need
+#   packages.sh trust    all that, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | bench | check) ;; *) echo "usage: packages.sh demo|bench|check" >&2; exit 2 ;; esac
+case $tier in demo | bench | check | trust) ;; *) echo "usage: packages.sh demo|bench|check|trust" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -43,6 +44,7 @@ has_callgrind() { has_command valgrind && callgrind_program | compiles gcc c; }
 has_library() { has_command pkg-config && pkg-config --exists "$1"; }
 # Asked for by name where it can be: trying to compile reports the header whatever its version.
 has_cmocka() { has_library cmocka; }
+has_cross() { c_program | compiles "$1-linux-gnu-gcc" c; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
 need gcc has_gcc
@@ -58,13 +60,25 @@ if [ "$tier" != demo ]; then
     need valgrind has_callgrind
     need gnuplot-nox has_command gnuplot
 fi
-if [ "$tier" = check ]; then
+if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need libcmocka-dev has_cmocka
     need clang-19 has_clang
     need libclang-rt-19-dev has_sanitizers
     need llvm-19 has_command llvm-symbolizer-19
     need binutils has_command nm
     need diffutils has_command cmp
+    need abigail-tools has_command abidiff
+    need cppcheck has_command cppcheck
+    need clang-tidy-19 has_command clang-tidy-19
+    need gcc-aarch64-linux-gnu has_cross aarch64
+    need libc6-dev-arm64-cross has_cross aarch64
+    need gcc-s390x-linux-gnu has_cross s390x
+    need libc6-dev-s390x-cross has_cross s390x
+    need qemu-user-static has_command qemu-s390x-static
+fi
+if [ "$tier" = trust ]; then
+    need frama-c-base has_command frama-c
+    need afl++ has_command afl-fuzz
 fi
 
 [ ${#missing[@]} -eq 0 ] && exit 0

@@ -131,9 +131,11 @@ $(SUPPORT): $(call objects,$(SUPPORT_SOURCES)) $(BUILD)/files
 $(COMMAND_PARTS): $(call objects,$(filter-out tools/tdsp/main.c,$(TOOL_SOURCES))) $(BUILD)/files
 	$(archive)
 
-# Sanitized objects leave symbols to the program that loads them; every other build must be whole.
-$(SHARED): $(call objects,$(LIB_SOURCES)) $(BUILD)/files
-	$(CC) -shared -Wl,-soname,libtdsp.so.$(SOVERSION) $(if $(SANITIZE)$(FUZZ),,-Wl,--no-undefined) $(filter-out -fsanitize=fuzzer,$(LDFLAGS)) $(filter %.o,$^) -lm -o $@
+# Sanitized objects leave symbols to the program that loads them and bring some of their own; every other build must be whole, and exports what is listed.
+SYMBOLS := src/libtdsp.map
+WHOLE := -Wl,--no-undefined -Wl,--version-script=$(SYMBOLS) -Wl,--no-undefined-version
+$(SHARED): $(call objects,$(LIB_SOURCES)) $(BUILD)/files $(SYMBOLS)
+	$(CC) -shared -Wl,-soname,libtdsp.so.$(SOVERSION) $(if $(SANITIZE)$(FUZZ),,$(WHOLE)) $(filter-out -fsanitize=fuzzer,$(LDFLAGS)) $(filter %.o,$^) -lm -o $@
 	ln -sf $(@F) $(BUILD)/libtdsp.so.$(SOVERSION)
 	ln -sf $(@F) $(BUILD)/libtdsp.so
 

@@ -53,7 +53,8 @@ def declared():
 
 
 def exported(library):
-    return {line.split()[-1] for line in output("nm", "-D", "--defined-only", library).splitlines()}
+    lines = [line.split() for line in output("nm", "-D", "--defined-only", library).splitlines()]
+    return {name.split("@")[0] for _, kind, name in lines if kind != "A"}  # A: the name of a version
 
 
 def writable(archive):

@@ -10,7 +10,7 @@ static double line_clearance(const geom_line *line, const geom_disc *disc, doubl
 {
     tdsp_point offset = point_sub(point_along(line->from, at, line->heading), disc->center);
     double distance = point_length(offset), radius = disc_radius(disc, line->start + at);
-    return distance - radius + GEOM_CONTACT * (distance + radius);
+    return distance - radius + tolerance_touch(disc->center, distance + radius);
 }
 
 /* The length at which |x - O|^2 - R^2 is least, inside the motion. */
@@ -80,8 +80,7 @@ static contact_state contact_at(const geom_ride *ride, const geom_disc *other, d
     tdsp_point offset = point_sub(disc_boundary(ride->disc, angle, time), other->center);
     tdsp_point heading = point_unit(disc_heading(ride->disc, ride->side, angle));
     double radius = disc_radius(other, time), distance = point_length(offset);
-    double touch = GEOM_CONTACT * (distance + radius);
-    double gap = distance - radius + touch;
+    double gap = distance - radius + tolerance_touch(other->center, distance + radius);
     contact_state state = {time, gap * (distance + radius) + grace, 2.0 * (point_dot(offset, heading) - radius * other->rate), distance};
     return state;
 }
@@ -158,7 +157,7 @@ static int contact_impossible(const geom_ride *ride, const geom_disc *other)
  */
 static double contact_grace(const geom_ride *ride, const geom_disc *other, contact_state start)
 {
-    double forgiven = 2.5 * GEOM_CONTACT * disc_radius(ride->disc, start.time) * (start.reach + disc_radius(other, start.time));
+    double forgiven = 1.25 * tolerance_touch(ride->disc->center, 2.0 * disc_radius(ride->disc, start.time)) * (start.reach + disc_radius(other, start.time));
     int outwards = start.slope >= 0.0 || start.slope * start.slope <= (1.0 - other->rate * other->rate) * forgiven;
     return outwards && start.value >= -forgiven ? 2.0 * forgiven : INFINITY;
 }
@@ -216,15 +215,15 @@ static double touch_gap(const geom_ride *ride, const geom_disc *other, double ti
     return distance * distance - own * own - radius * radius + 2.0 * own * radius * cosine;
 }
 
-/* A corner that misses g = 0 by more is no touch: |g| <= 2 R_k D eta for a clearance of eta R_k. */
-#define TOUCH_GAP (8.0 * GEOM_CONTACT)
+/* A corner that misses g = 0 by more than this share of the sizes times the touch is none: |g| <= 2 R_k D eta for a clearance of eta R_k. */
+#define TOUCH_GAP 8.0
 
 /* The time at which |g| is least, if that is little enough. */
 static int touch_moment(const geom_ride *ride, const geom_disc *other, double *time)
 {
     double from = ride->start, to = ride->end, a = touch_gap(ride, other, from), b = touch_gap(ride, other, to);
     double s0 = disc_radius(ride->disc, from) + disc_radius(other, from), s1 = disc_radius(ride->disc, to) + disc_radius(other, to);
-    double near = TOUCH_GAP * (s0 > s1 ? s0 * s0 : s1 * s1);
+    double sizes = s0 > s1 ? s0 : s1, near = TOUCH_GAP * sizes * tolerance_touch(other->center, sizes);
     if ((a > near && b > near) || (a < -near && b < -near)) return 0;
     *time = fabs(a) < fabs(b) ? from : to;
     for (int step = 0; step < 60 && (a > 0.0) != (b > 0.0); ++step) {
@@ -284,6 +283,6 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
     if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
     *time = fmin(fmax(at, ride->start), ride->end);
     contact_state state = contact_at(ride, other, *time, 0.0), end = contact_at(ride, other, ride->end, 0.0);
-    double sizes = state.reach + disc_radius(other, *time), forgiven = GEOM_CONTACT * sizes * sizes;
+    double sizes = state.reach + disc_radius(other, *time), forgiven = tolerance_touch(other->center, sizes) * sizes;
     return state.value >= -TOUCH_SAME * forgiven && state.value <= 2.0 * forgiven && end.value > TOUCH_SAME * forgiven;
 }

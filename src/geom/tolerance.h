@@ -9,8 +9,15 @@
 #ifndef GEOM_TOLERANCE_H
 #define GEOM_TOLERANCE_H
 
+#include <math.h>
+
+#include "geom/point.h"
+
 /* Depth of a touch that is not yet a collision, relative to distance plus radius. */
 #define GEOM_CONTACT 1e-12
+
+/* ... and relative to the coordinates: those of a disc much smaller than the journey are rounded as those of a large one are. */
+#define GEOM_PLACE 4e-15
 
 /* Where an angle equation counts as solved; round-off of the terms is just below. */
 #define GEOM_ANGLE 2e-14
@@ -20,5 +27,11 @@
 
 /* Relative slack of the closed ends of a tangent's domain, so that legs of length 0 are not lost. */
 #define GEOM_DOMAIN 1e-13
+
+/* The depth that is still a touch for a disc at `center`, `sizes` being distance plus radius. */
+static inline double tolerance_touch(tdsp_point center, double sizes)
+{
+    return GEOM_CONTACT * sizes + GEOM_PLACE * (1.0 + fabs(center.x) + fabs(center.y));
+}
 
 #endif

@@ -220,15 +220,27 @@ static int parts_of(const leave_target *target)
     return 1 + (int)(3.0 * length / distance);
 }
 
+/*
+ * A place closer to the boundary than parts are short has both its tangents in one of them: one before the rider passes in front of it, one after. There e is of the
+ * other sign, so that is where the part is cut.
+ */
+static tdsp_status leave_part_cut(leave_target *target, double from, double to, double cut)
+{
+    if (!(cut > from && cut < to)) return leave_part(target, from, to);
+    tdsp_status status = leave_part(target, from, cut);
+    return status == TDSP_OK ? leave_part(target, cut, to) : status;
+}
+
 static tdsp_status leave_for(leave_target *target)
 {
     const growth_chunk *chunk = target->chunk;
     int parts = parts_of(target);
     tdsp_status status = TDSP_OK;
-    double from = chunk->from, step = (chunk->to - chunk->from) / parts;
+    double from = chunk->from, step = (chunk->to - chunk->from) / parts, cut = from;
+    if (parts == MOST_PARTS && !rider_passes(chunk, target->place, &cut)) cut = from;
     for (int i = 1; i <= parts && status == TDSP_OK; ++i) {
         double to = i == parts ? chunk->to : chunk->from + step * i;
-        status = leave_part(target, from, to);
+        status = leave_part_cut(target, from, to, cut);
         from = to;
     }
     return status;

@@ -32,15 +32,15 @@ static ride_sample sample_at(const ride_pass *pass, double at)
     return sample;
 }
 
-static double touch_of(const ride_sample *sample, double distance)
+static double touch_of(const ride_pass *pass, const ride_sample *sample, double distance)
 {
-    return -GEOM_CONTACT * (sample->radius + distance) - 4e-15;
+    return -tolerance_touch(pass->other->center, sample->radius + distance);
 }
 
-static int is_inside(const ride_sample *sample)
+static int is_inside(const ride_pass *pass, const ride_sample *sample)
 {
     double distance = point_length(sample->place);
-    return distance - sample->radius < touch_of(sample, distance);
+    return distance - sample->radius < touch_of(pass, sample, distance);
 }
 
 /* The greatest |R''| on a part of the other's span. */
@@ -63,7 +63,7 @@ static int part_is_free(const ride_pass *pass, const ride_sample *a, const ride_
     if (!(distance > 0.0)) return 0;
     double from = point_dot(a->place, middle) / distance - a->radius, to = point_dot(b->place, middle) / distance - b->radius;
     double sag = 0.5 * width * tan(0.5 * turn) + bend_bound(pass, a->at, b->at) * width * width / 8.0;
-    return fmin(from, to) - sag >= touch_of(b->radius > a->radius ? b : a, distance);
+    return fmin(from, to) - sag >= touch_of(pass, b->radius > a->radius ? b : a, distance);
 }
 
 /* Around one centre only the radii count; they cross where their difference does. */
@@ -77,7 +77,7 @@ static double first_inside(const ride_pass *pass, double low, double high)
     for (int step = 0; step < 60; ++step) {
         double middle = 0.5 * (low + high);
         ride_sample sample = sample_at(pass, middle);
-        if (is_inside(&sample))
+        if (is_inside(pass, &sample))
             high = middle;
         else
             low = middle;
@@ -92,17 +92,17 @@ static double pass_span(const ride_pass *pass, double from, double to, int *hit)
     int top = 0, looks = 0;
     stack[top++] = sample_at(pass, to);
     *hit = 1;
-    if (is_inside(&a)) return from;
+    if (is_inside(pass, &a)) return from;
     while (top > 0) {
         ride_sample b = stack[top - 1];
         double middle = 0.5 * (a.at + b.at);
         int is_least = !(middle > a.at && middle < b.at) || top == STACK || ++looks > MOST_LOOKS || is_concentric(pass);
-        if (part_is_free(pass, &a, &b) || (is_least && !is_inside(&b))) {
+        if (part_is_free(pass, &a, &b) || (is_least && !is_inside(pass, &b))) {
             a = b;
             --top;
             continue;
         }
-        if (is_least || (is_inside(&b) && b.at - a.at < 1e-9 * (1.0 + fabs(a.at)))) return first_inside(pass, a.at, b.at);
+        if (is_least || (is_inside(pass, &b) && b.at - a.at < 1e-9 * (1.0 + fabs(a.at)))) return first_inside(pass, a.at, b.at);
         stack[top++] = sample_at(pass, middle);
     }
     *hit = 0;

@@ -3,9 +3,6 @@
 
 #include "geom/tolerance.h"
 
-/* Positions are not known better than this, a length. */
-#define PLACE_ROUNDING 4e-15
-
 /* Newton's last step, of a time that is wanted itself, and of one at which only F is: its error is squared there. */
 #define PRECISE 4e-16
 #define ROUGH 1e-9
@@ -106,16 +103,16 @@ sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_lin
 }
 
 /* How far below 0 F may be for a touch. */
-static double touch(double distance, double radius)
+static double touch(const growth_shape *shape, double distance, double radius)
 {
     double sizes = distance + radius;
-    return -(GEOM_CONTACT * sizes + PLACE_ROUNDING) * sizes;
+    return -tolerance_touch(shape->center, sizes) * sizes;
 }
 
 static int is_below(const growth_shape *shape, double sign, uint32_t span, const sight_line *line, double time)
 {
     double distance = point_distance(sight_place(line, time), shape->center), radius = shape_jet(shape, span, sign * time).radius;
-    return (distance - radius) * (distance + radius) < touch(distance, radius);
+    return (distance - radius) * (distance + radius) < touch(shape, distance, radius);
 }
 
 /* When F goes below 0 on a part of a span at whose end it is. */
@@ -172,5 +169,5 @@ int sight_is_blocked(const growth_shape *shape, double sign, const sight_line *l
 int sight_is_inside(const growth_shape *shape, double sign, tdsp_point place, double time)
 {
     double distance = point_distance(place, shape->center), radius = shape_radius(shape, sign * time);
-    return (distance - radius) * (distance + radius) < touch(distance, radius);
+    return (distance - radius) * (distance + radius) < touch(shape, distance, radius);
 }

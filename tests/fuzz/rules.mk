@@ -1,11 +1,13 @@
 # Fuzzing: what reads bytes or text from nowhere. A program is any fuzz_*.c here; tests/fuzz.sh runs them.
 FUZZ_SECONDS ?= 10
 FUZZ_SOURCES := $(sort $(wildcard tests/fuzz/fuzz_*.c))
+# What targets share: scenes from bytes, and what their answers are held to.
+FUZZ_PARTS := tests/fuzz/world.c tests/fuzz/job.c
 FUZZERS := $(patsubst %.c,$(BUILD)/%,$(FUZZ_SOURCES))
 
-$(FUZZERS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
+$(FUZZERS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call objects,$(FUZZ_PARTS)) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $< $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
+	$(CC) $(LDFLAGS) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
 
 .PHONY: run-fuzz
 run-fuzz: $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result)

@@ -51,7 +51,7 @@ typedef struct tdsp_verdict {
  *
  * @param departure, arrival  what the path claims
  * @return TDSP_OK when the check was done (the verdict says how it went); TDSP_SHRINKS when the path goes on after
- *         tdsp_scene_valid_until() (the verdict is then untouched); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
+ *         tdsp_scene_valid_until() by more than TDSP_SOLVER_ERROR of it (the verdict is then untouched); TDSP_INVALID_ARGUMENT; TDSP_NO_MEMORY
  *
  * O(n log n + (log n + near discs) legs) time, O(n) memory meanwhile; where rates change, each near disc counts as often as a piece of its law begins during the leg. Any
  * thread. Since 0.1.

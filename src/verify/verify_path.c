@@ -13,6 +13,7 @@
 
 #include "scene/scene.h" /* the allocator, nothing else */
 #include "tdsp/growth.h"
+#include "tdsp/solver.h" /* its stated error, nothing else */
 #include "verify/check.h"
 #include "verify/clearance.h"
 #include "verify/motion.h"
@@ -166,6 +167,11 @@ static double path_end(const tdsp_leg *legs, size_t count, double arrival)
     return end;
 }
 
+int check_is_described(const tdsp_scene *scene, double time)
+{
+    return time <= tdsp_scene_valid_until(scene, NULL) * (1.0 + TDSP_SOLVER_ERROR);
+}
+
 tdsp_status tdsp_verify_path(const tdsp_scene *scene, const tdsp_leg *legs, size_t count, double departure, double arrival,
                              tdsp_verdict *out)
 {
@@ -181,7 +187,7 @@ tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_ends *ends,
     if (tdsp_journey_check(&journey)) return TDSP_INVALID_ARGUMENT;
     nearby_index index;
     const double end = path_end(legs, count, arrival);
-    if (end > tdsp_scene_valid_until(scene, NULL)) return TDSP_SHRINKS;
+    if (!check_is_described(scene, end)) return TDSP_SHRINKS;
     const tdsp_status status = nearby_build(scene, fmax(departure, end), &scene->allocator, &index);
     if (status != TDSP_OK) return status;
     *out = check_path(scene, &journey, &index, legs, count, departure, arrival);

@@ -14,7 +14,6 @@
 #include <math.h>
 
 #include "scene/allocator.h"
-#include "tdsp/growth.h"
 #include "scene/scene.h" /* the allocator, nothing else */
 #include "verify/check.h"
 #include "verify/nearby.h"
@@ -99,7 +98,7 @@ static tdsp_status check_row_path(table_check *check, uint64_t i, const tdsp_row
     if (status != TDSP_OK) return status;
     const double promised = row->departure + row->left;
     const double arrival = count > 0 ? check->legs[count - 1].end_time : promised;
-    if (arrival > tdsp_scene_valid_until(check->scene, NULL)) return TDSP_SHRINKS;
+    if (!check_is_described(check->scene, arrival)) return TDSP_SHRINKS;
     tdsp_verdict verdict = check_path(check->scene, &check->journey, &check->index, check->legs, count, row->departure, arrival);
     if (arrival > promised + rounding_of(row->departure, row->left)) verdict.problems |= TDSP_PROBLEM_END;
     if (verdict.problems) check_bad_row(check, i, &check->verdict.bad_paths);

@@ -98,6 +98,26 @@ static void what_goes_on_when_a_disc_would_shrink_is_not_judged(void **state)
     tdsp_scene_free(scene);
 }
 
+/* A last departure's path was refused where its arrival was the end of what is known, but for the solver's rounding. */
+static void a_path_that_ends_when_a_disc_would_shrink_is_judged_up_to_the_solvers_rounding(void **state)
+{
+    (void)state;
+    static const double values[] = {0.4, -0.15};
+    const tdsp_growing_disc disc = {.center = {0, 50}, .growth = {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = values}};
+    const tdsp_journey journey = {1, 0, {0, 0}, {1, 0}};
+    tdsp_scene *scene;
+    assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+    const double valid = tdsp_scene_valid_until(scene, NULL);
+    for (int far = 0; far < 2; far++) {
+        const double arrival = valid * (1 + (far ? 5e-11 : 5e-12));
+        const tdsp_leg leg = {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = arrival - 1, .end_time = arrival, .to = {1, 0}};
+        tdsp_verdict verdict = {.problems = 77};
+        assert_int_equal(tdsp_verify_path(scene, &leg, 1, arrival - 1, arrival, &verdict), far ? TDSP_SHRINKS : TDSP_OK);
+        assert_int_equal(verdict.problems, far ? 77 : 0);
+    }
+    tdsp_scene_free(scene);
+}
+
 /* Around the disc as fast as a robot of any speed can, in the time of a blink and in that of a life; beside another disc. */
 static void a_leg_that_goes_around_for_ever_is_judged_in_time(void **state)
 {
@@ -166,6 +186,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_table_of_rides_is_accepted_and_rejected_where_the_disc_is_larger),
         cmocka_unit_test(what_goes_on_when_a_disc_would_shrink_is_not_judged),
+        cmocka_unit_test(a_path_that_ends_when_a_disc_would_shrink_is_judged_up_to_the_solvers_rounding),
         cmocka_unit_test(a_leg_that_goes_around_for_ever_is_judged_in_time),
         cmocka_unit_test(a_refused_allocation_is_an_error_and_leaks_nothing),
     };

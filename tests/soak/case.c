@@ -1,0 +1,108 @@
+/* See case.h. */
+#include "soak/case.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "support/chance.h"
+
+void soak_fail(soak_case *c, double excess, const char *format, ...)
+{
+    va_list list;
+    if (c->failed) return;
+    c->failed = 1;
+    c->excess = c->world.unit > 0.0 ? excess / c->world.unit : INFINITY;
+    va_start(list, format);
+    (void)vsnprintf(c->what, sizeof c->what, format, list);
+    va_end(list);
+}
+
+double soak_ask(soak_case *c, const soak_world *world, double departure)
+{
+    double arrival = -1.0;
+    const tdsp_status status = tdsp_earliest_arrival(world->solver, departure, &arrival);
+    if (status == TDSP_SHRINKS) return NAN;
+    if (!tdsp_status_is_answer(status)) {
+        soak_fail(c, INFINITY, "status %s at departure %.17g", tdsp_status_name(status), departure);
+        return NAN;
+    }
+    if ((status == TDSP_OK) != (arrival < INFINITY) || !(arrival >= departure))
+        soak_fail(c, INFINITY, "arrival %.17g with status %s at departure %.17g", arrival, tdsp_status_name(status), departure);
+    return arrival;
+}
+
+double soak_slack(const soak_case *c, const soak_world *world, double departure, double arrival)
+{
+    const double travel = arrival < INFINITY ? arrival - departure : 0.0;
+    return c->looser * SOAK_SAME * (world->unit + travel) + 1e-15 * (departure + travel) +
+           SOAK_ROUNDING * soak_magnitude(world->is) / world->is->journey.speed;
+}
+
+double soak_step(const soak_case *c, const soak_world *world, double time)
+{
+    return c->looser * SOAK_TOUCH * (world->unit + time);
+}
+
+int soak_open_moved(const soak_case *c, const soak_world *world, double sign, soak_world *moved)
+{
+    static soak_scene scenes[2]; /* one for each sign: both may be open */
+    soak_scene *scene = &scenes[sign > 0.0];
+    soak_copy(scene, world->is);
+    soak_inflate(scene, sign * c->looser * SOAK_TOUCH, sign * c->looser * SOAK_ROUNDING);
+    tdsp_ends ends;
+    if (soak_open(scene, TDSP_METHOD_AUTO, moved) != TDSP_OK) return 0;
+    return tdsp_solver_ends(world->solver, &ends) == TDSP_OK && tdsp_solver_set_ends(moved->solver, &ends) == TDSP_OK;
+}
+
+/* A(t) among the discs moved by what may be a touch. */
+static double ask_moved(soak_case *c, const soak_world *world, double departure, double sign)
+{
+    soak_world moved;
+    if (!soak_open_moved(c, world, sign, &moved)) return NAN;
+    const double found = soak_ask(c, &moved, fmax(0.0, departure + sign * soak_step(c, world, departure)));
+    soak_close(&moved);
+    return found;
+}
+
+/* Greater than zero: `low` is over `high` by more than the slack, for which NAN is no reason. */
+static double exceeds(const soak_case *c, const soak_world *world, double departure, double low, double high)
+{
+    if (isnan(low) || isnan(high) || low <= high) return 0.0;
+    return fmax(0.0, low - high - soak_slack(c, world, departure, fmin(low, high)));
+}
+
+void soak_not_before(soak_case *c, const soak_world *world, double departure, double arrival, const char *text)
+{
+    const double expected = soak_ask(c, world, departure);
+    if (!(exceeds(c, world, departure, expected, arrival) > 0.0)) return;
+    const double bound = ask_moved(c, world, departure, -1.0), excess = exceeds(c, world, departure, bound, arrival);
+    c->forgiven++;
+    if (excess > 0.0)
+        soak_fail(c, excess, "%s: %.17g, earlier than %.17g, at departure %.17g", text, arrival, expected, departure);
+}
+
+void soak_not_after(soak_case *c, const soak_world *world, double departure, double arrival, const char *text)
+{
+    const double expected = soak_ask(c, world, departure);
+    if (!(exceeds(c, world, departure, arrival, expected) > 0.0)) return;
+    const double bound = ask_moved(c, world, departure, 1.0), excess = exceeds(c, world, departure, arrival, bound);
+    c->forgiven++;
+    if (excess > 0.0) soak_fail(c, excess, "%s: %.17g, later than %.17g, at departure %.17g", text, arrival, expected, departure);
+}
+
+void soak_agrees(soak_case *c, const soak_world *world, double departure, double arrival, const char *text)
+{
+    soak_not_before(c, world, departure, arrival, text);
+    soak_not_after(c, world, departure, arrival, text);
+}
+
+uint64_t soak_pick(soak_case *c, uint64_t count)
+{
+    return chance_below(&c->pick, count);
+}
+
+double soak_pick_between(soak_case *c, double low, double high)
+{
+    return chance_between(&c->pick, low, high);
+}

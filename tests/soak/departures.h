@@ -1,0 +1,12 @@
+/* Which departures a scene is asked about. */
+#ifndef SOAK_DEPARTURES_H
+#define SOAK_DEPARTURES_H
+
+#include "soak/scene.h"
+
+enum { SOAK_DEPARTURES = 5 };
+
+/* At most SOAK_DEPARTURES, of all kinds: 0, any, what the scene was made for, the end of all, and the sides of a jump. Returns how many. */
+size_t soak_departures(const soak_world *world, uint64_t *chance, double departures[SOAK_DEPARTURES]);
+
+#endif

@@ -150,7 +150,8 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
     if (!rider_next_chunk(shape, engine->question.sign, &ride, &chunk)) return TDSP_OK;
     double whole = chunk.to, limit = engine->limit;
     if (!chunk.base.in_fan) chunk.to = fmin(chunk.to, fmax(chunk.from, limit));
-    chunk.to = ride_free_until(engine, &chunk);
+    ride_changes touches;
+    chunk.to = ride_free_until(engine, &chunk, &touches);
     double free_until = chunk.to;
     engine->latest = fmax(engine->latest, chunk_moment(&chunk, chunk.to).time);
     chunk.to = wake_cut(engine, &chunk, index);
@@ -160,6 +161,8 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
         return TDSP_OK;
     }
     tdsp_status status = chunk.to > chunk.from ? leave_chunk(engine, &chunk, index) : TDSP_OK;
+    for (uint32_t i = 0; i < touches.count && status == TDSP_OK; ++i)
+        if (touches.at[i].at <= chunk.to) status = leave_touch(engine, &chunk, index, touches.at[i].disc, touches.at[i].at);
     if (status != TDSP_OK) return status;
     int is_over = is_cut;
     growth_moment now = is_cut ? chunk_moment(&chunk, chunk.to) : rider_after(&chunk, &is_over);

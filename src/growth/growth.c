@@ -150,9 +150,7 @@ static void mend_chunk(growth_solver *self, const growth_chunk *chunk)
 {
     const growth_engine *engine = &self->engine;
     for (uint32_t i = 0; i < engine->shape_count; ++i) {
-        int hit = 0;
-        if (!self->is_member[i]) ride_touches(chunk, &engine->shapes[i], &hit);
-        if (hit) member_add(self, i);
+        if (!self->is_member[i] && ride_meets(chunk, &engine->shapes[i]).is_stopped) member_add(self, i);
     }
 }
 

@@ -291,6 +291,20 @@ tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32
     return status == TDSP_OK ? leave_ahead(engine, &view, ride) : status;
 }
 
+tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32_t ride, uint32_t disc, double at)
+{
+    const growth_shape *shape = engine_shape(engine, disc);
+    growth_moment moment = chunk_moment(chunk, at);
+    growth_leg leg = {.ride = ride, .leave = moment, .line = rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment), .arrive = at, .disc = disc};
+    uint32_t span = sight_span_at(shape, chunk->sign, at);
+    leg.run = shape->spans[span].run;
+    leg.side = side_of(point_cross(leg.line.unit, point_sub(shape->center, leg.line.from)));
+    leg.land.span = span;
+    leg.land.time = at;
+    leg.bound = point_distance(leg.line.from, engine->question.goal);
+    return leg.run == SHAPE_NONE || leg.side == chunk->ride->side ? TDSP_OK : growth_push_leg(engine, &leg);
+}
+
 /* From the start: straight at the centre a line runs into the disc, straight away from it misses it. */
 static tdsp_status start_for(leave_target *target)
 {

@@ -3,6 +3,12 @@
 
 #include "geom/tolerance.h"
 
+/* How much of a touch may be rounding. */
+#define TOUCH_SAME 1e-3
+
+/* A ride that begins inside a disc by at most so many touches came over from there at a touch, and is let out again. */
+#define GRACE 2.5
+
 /* Parts of one chunk against one disc after which a touch is taken to be none: a boundary that is followed for a while. */
 #define MOST_LOOKS 3000
 
@@ -19,6 +25,9 @@ typedef struct ride_pass {
     const growth_chunk *chunk;
     const growth_shape *other;
     uint32_t span; /* of the other */
+    double grace;  /* touches that are forgiven besides one */
+    double least;  /* the least clearance seen, in touches, */
+    double before, after; /* ... between these */
 } ride_pass;
 
 static ride_sample sample_at(const ride_pass *pass, double at)
@@ -37,10 +46,32 @@ static double touch_of(const ride_pass *pass, const ride_sample *sample, double 
     return -tolerance_touch(pass->other->center, sample->radius + distance);
 }
 
-static int is_inside(const ride_pass *pass, const ride_sample *sample)
+/* How far outside, in touches: below -1 it is no touch any more. */
+static double sample_clearance(const ride_pass *pass, const ride_sample *sample)
 {
     double distance = point_length(sample->place);
-    return distance - sample->radius < touch_of(pass, sample, distance);
+    return (sample->radius - distance) / touch_of(pass, sample, distance);
+}
+
+static int is_inside(const ride_pass *pass, const ride_sample *sample)
+{
+    return sample_clearance(pass, sample) < -1.0 - pass->grace;
+}
+
+/* How fast it comes out of the other. */
+static double sample_slope(const ride_pass *pass, const ride_sample *sample)
+{
+    double outwards = point_dot(point_unit(sample->heading), sample->place) / point_length(sample->place);
+    return outwards - sight_rate(pass->other, pass->chunk->sign, pass->span, sample->at);
+}
+
+static void pass_notes(ride_pass *pass, const ride_sample *sample, double before, double after)
+{
+    double clearance = sample_clearance(pass, sample);
+    if (!(clearance < pass->least)) return;
+    pass->least = clearance;
+    pass->before = before;
+    pass->after = after;
 }
 
 /* The greatest |R''| on a part of the other's span. */
@@ -63,7 +94,7 @@ static int part_is_free(const ride_pass *pass, const ride_sample *a, const ride_
     if (!(distance > 0.0)) return 0;
     double from = point_dot(a->place, middle) / distance - a->radius, to = point_dot(b->place, middle) / distance - b->radius;
     double sag = 0.5 * width * tan(0.5 * turn) + bend_bound(pass, a->at, b->at) * width * width / 8.0;
-    return fmin(from, to) - sag >= touch_of(pass, b->radius > a->radius ? b : a, distance);
+    return fmin(from, to) - sag >= (1.0 + pass->grace) * touch_of(pass, b->radius > a->radius ? b : a, distance);
 }
 
 /* Around one centre only the radii count; they cross where their difference does. */
@@ -85,8 +116,19 @@ static double first_inside(const ride_pass *pass, double low, double high)
     return low;
 }
 
+/* The touches forgiven to a ride that begins inside the other, no deeper than who changed over from there, and is about to come out. */
+static double begin_grace(const ride_pass *pass)
+{
+    ride_sample start = sample_at(pass, pass->chunk->from);
+    double clearance = sample_clearance(pass, &start), slope = sample_slope(pass, &start), distance = point_length(start.place);
+    double rate = sight_rate(pass->other, pass->chunk->sign, pass->span, start.at);
+    if (start.at > pass->chunk->ride->start.time || clearance >= -1.0 || clearance < -GRACE) return 0.0;
+    int is_turning = slope * slope * distance <= (1.0 - rate * rate) * GRACE * -touch_of(pass, &start, distance);
+    return slope >= 0.0 || is_turning ? 2.0 * GRACE : 0.0;
+}
+
 /* The first contact on [from, to], on one span of the other; `to` when there is none, and then *hit stays. */
-static double pass_span(const ride_pass *pass, double from, double to, int *hit)
+static double pass_span(ride_pass *pass, double from, double to, int *hit)
 {
     ride_sample stack[STACK], a = sample_at(pass, from);
     int top = 0, looks = 0;
@@ -98,6 +140,8 @@ static double pass_span(const ride_pass *pass, double from, double to, int *hit)
         double middle = 0.5 * (a.at + b.at);
         int is_least = !(middle > a.at && middle < b.at) || top == STACK || ++looks > MOST_LOOKS || is_concentric(pass);
         if (part_is_free(pass, &a, &b) || (is_least && !is_inside(pass, &b))) {
+            double next = top > 1 ? stack[top - 2].at : to;
+            pass_notes(pass, &b, a.at, next);
             a = b;
             --top;
             continue;
@@ -118,18 +162,57 @@ static int is_far(const growth_chunk *chunk, const growth_shape *other, tdsp_poi
     return point_dot(offset, offset) > reach * reach;
 }
 
-double ride_touches(const growth_chunk *chunk, const growth_shape *other, int *hit)
+/* The moment of the least clearance around that noted, which rounding may have put a little off; 0 where it falls or rises all the way. */
+static int least_moment(const ride_pass *pass, double from, double to, double *at)
 {
+    double width = pass->after - pass->before, before = pass->before, after = pass->after;
+    ride_sample first = sample_at(pass, before), last = sample_at(pass, after);
+    for (; before > from && sample_slope(pass, &first) >= 0.0; width *= 2.0) {
+        before = fmax(before - width, from);
+        first = sample_at(pass, before);
+    }
+    for (; after < to && sample_slope(pass, &last) < 0.0; width *= 2.0) {
+        after = fmin(after + width, to);
+        last = sample_at(pass, after);
+    }
+    if (!(sample_slope(pass, &first) < 0.0 && sample_slope(pass, &last) >= 0.0)) return 0;
+    for (int step = 0; step < 60; ++step) {
+        double middle = 0.5 * (before + after);
+        ride_sample sample = sample_at(pass, middle);
+        *(sample_slope(pass, &sample) < 0.0 ? &before : &after) = middle;
+    }
+    *at = after;
+    return 1;
+}
+
+/*
+ * Discs that just close the gap that the rider passes are passed at a touch: the clearance is least there, so the heading is that of a rider on the other disc. It is none
+ * where the part ends with no more left than a touch has. INFINITY: nowhere on this part.
+ */
+static double pass_touch(const ride_pass *pass, double from, double to)
+{
+    double at;
+    if (!(pass->least <= 1.0) || !least_moment(pass, from, to, &at)) return INFINITY;
+    ride_sample least = sample_at(pass, at), end = sample_at(pass, to);
+    double clearance = sample_clearance(pass, &least);
+    return clearance >= -1.0 - TOUCH_SAME && clearance <= 1.0 && sample_clearance(pass, &end) > TOUCH_SAME - 1.0 ? at : INFINITY;
+}
+
+ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
+{
+    ride_meeting meeting = {chunk->to, 0, INFINITY};
     growth_moment begin = chunk_moment(chunk, chunk->from);
-    *hit = 0;
-    if (other == chunk->shape || chunk->base.in_fan) return chunk->to; /* a fan is turned on the spot */
-    if (is_far(chunk, other, rider_place(chunk->shape, chunk->sign, chunk->ride, &begin))) return chunk->to;
-    ride_pass pass = {chunk, other, sight_span_at(other, chunk->sign, chunk->from)};
+    if (other == chunk->shape || chunk->base.in_fan) return meeting; /* a fan is turned on the spot */
+    if (is_far(chunk, other, rider_place(chunk->shape, chunk->sign, chunk->ride, &begin))) return meeting;
+    ride_pass pass = {chunk, other, sight_span_at(other, chunk->sign, chunk->from), 0.0, INFINITY, 0.0, 0.0};
     double from = chunk->from;
+    pass.grace = begin_grace(&pass);
     for (;;) {
         double end = span_ends(&other->spans[pass.span], chunk->sign), to = fmin(chunk->to, end);
-        double free_until = pass_span(&pass, from, to, hit);
-        if (*hit || end >= chunk->to) return free_until;
+        pass.least = INFINITY;
+        meeting.free_until = pass_span(&pass, from, to, &meeting.is_stopped);
+        if (!meeting.is_stopped) meeting.touch = fmin(meeting.touch, pass_touch(&pass, from, to));
+        if (meeting.is_stopped || end >= chunk->to) return meeting;
         pass.span = chunk->sign > 0.0 ? pass.span + 1 : pass.span - 1;
         from = to;
     }
@@ -139,19 +222,26 @@ double ride_touches(const growth_chunk *chunk, const growth_shape *other, int *h
 typedef struct free_part {
     growth_engine *engine;
     growth_chunk chunk;
+    ride_changes *touches;
 } free_part;
 
 static int visit_free(void *ctx, uint32_t disc)
 {
     free_part *part = ctx;
-    int hit;
-    part->chunk.to = ride_touches(&part->chunk, engine_shape(part->engine, disc), &hit);
+    ride_changes *touches = part->touches;
+    ride_meeting meeting = ride_meets(&part->chunk, engine_shape(part->engine, disc));
+    part->chunk.to = meeting.free_until;
+    if (meeting.touch < INFINITY && touches->count < RIDE_CHANGES) {
+        ride_change touch = {disc, meeting.touch};
+        touches->at[touches->count++] = touch;
+    }
     return part->chunk.to > part->chunk.from;
 }
 
-double ride_free_until(growth_engine *engine, const growth_chunk *chunk)
+double ride_free_until(growth_engine *engine, const growth_chunk *chunk, ride_changes *touches)
 {
-    free_part part = {engine, *chunk};
+    free_part part = {engine, *chunk, touches};
+    touches->count = 0;
     if (!chunk->base.in_fan) {
         growth_moment begin = chunk_moment(chunk, chunk->from);
         tdsp_point place = rider_place(chunk->shape, chunk->sign, chunk->ride, &begin);

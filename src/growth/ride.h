@@ -14,10 +14,28 @@
 
 #include "growth/rider.h"
 
-/* The parameter up to which the chunk does not touch another disc; its end where it never does, and then *hit is 0. */
-double ride_touches(const growth_chunk *chunk, const growth_shape *other, int *hit);
+typedef struct ride_meeting {
+    double free_until; /* the parameter up to which the chunk is free of the other disc; its end where it always is */
+    int is_stopped;    /* ... by the disc, not by the chunk's end */
+    double touch;      /* where it is let past at a touch, and could as well ride on the other disc; INFINITY: nowhere */
+} ride_meeting;
 
-/* The parameter up to which the chunk touches no other member. */
-double ride_free_until(growth_engine *engine, const growth_chunk *chunk);
+ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other);
+
+/* Who is let past at a touch, and may change over: more of them on one chunk are left out. */
+#define RIDE_CHANGES 8
+
+typedef struct ride_change {
+    uint32_t disc;
+    double at;
+} ride_change;
+
+typedef struct ride_changes {
+    uint32_t count;
+    ride_change at[RIDE_CHANGES];
+} ride_changes;
+
+/* The parameter up to which the chunk is free of all other members. */
+double ride_free_until(growth_engine *engine, const growth_chunk *chunk, ride_changes *touches);
 
 #endif

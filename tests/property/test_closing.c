@@ -86,6 +86,12 @@ static void a_departure_at_a_jump_has_the_arrival_of_one_of_its_sides(void **sta
     assert_true(jumps_seen > 0);
 }
 
+static void by_the_general_method(property_case *c)
+{
+    tdsp_solver_free(c->solver);
+    assert_int_equal(tdsp_solver_create_for(c->scene, TDSP_METHOD_GENERAL, &c->solver), TDSP_OK);
+}
+
 /* Riders that touched the second disc of a gap were let past it, could not change over to it, and stopped those who came from the other side. */
 static void a_rider_who_is_let_past_at_a_touch_can_change_over(void **state)
 {
@@ -95,20 +101,40 @@ static void a_rider_who_is_let_past_at_a_touch_can_change_over(void **state)
         uint64_t seed;
         size_t count;
         double jump;
+        int is_general;
     } seen[] = {
-        {RANDOM_ON_DESTINATION, 12, 3, 4.8849445487064678},
-        {RANDOM_ON_DESTINATION, 63, 4, 2.2885615413991358},
-        {RANDOM_FORTRESS, 24, 5, 21.004547045345333},
-        {RANDOM_MIXED_RATES, 5, 5, 8.4531415034472417},
-        {RANDOM_PRISON, 105, 6, 1.0873420118071213},
+        {RANDOM_ON_DESTINATION, 12, 3, 4.8849445487064678, 0},
+        {RANDOM_ON_DESTINATION, 63, 4, 2.2885615413991358, 0},
+        {RANDOM_FORTRESS, 24, 5, 21.004547045345333, 0},
+        {RANDOM_MIXED_RATES, 5, 5, 8.4531415034472417, 0},
+        {RANDOM_PRISON, 105, 6, 1.0873420118071213, 0},
+        {RANDOM_MIXED_RATES, 4, 5, 5.4961035369809821, 1},
+        {RANDOM_COLLINEAR, 1033, 4, 4.5840505892340255, 1},
+        {RANDOM_ON_DESTINATION, 17, 5, 4.672247712143097, 1},
     };
     for (size_t i = 0; i < sizeof seen / sizeof *seen; i++) {
         property_case c = {.name = random_mix_name(seen[i].mix), .seed = seen[i].seed, .count = seen[i].count};
         random_scene(c.seed, seen[i].mix, c.count, &c.journey, c.discs);
         property_prepare(&c);
+        if (seen[i].is_general) by_the_general_method(&c);
         only_two_sides(&c, seen[i].jump);
         property_drop(&c);
     }
+}
+
+static void general_jumps_have_two_sides(property_case *c)
+{
+    by_the_general_method(c);
+    jumps_have_two_sides(c);
+}
+
+static void the_general_method_too_has_one_of_the_two_sides(void **state)
+{
+    (void)state;
+    jumps_seen = 0;
+    property_each(10, 6, general_jumps_have_two_sides);
+    print_message("%u jumps\n", jumps_seen);
+    assert_true(jumps_seen > 0);
 }
 
 int main(void)
@@ -116,6 +142,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_rider_who_is_let_past_at_a_touch_can_change_over),
         cmocka_unit_test(a_departure_at_a_jump_has_the_arrival_of_one_of_its_sides),
+        cmocka_unit_test(the_general_method_too_has_one_of_the_two_sides),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -124,8 +124,9 @@ static void check_contact(shape_world *w, const growth_chunk *chunk)
     const int looks = 150;
     for (uint32_t i = 0; i < w->growth->engine.shape_count && !chunk->base.in_fan; ++i) {
         const growth_shape *other = &w->shapes[i];
-        int hit;
-        double until = ride_touches(chunk, other, &hit), deep = DEEP * (2.0 + point_distance(other->center, place_at(chunk, chunk->from)));
+        const ride_meeting meeting = ride_meets(chunk, other);
+        int hit = meeting.is_stopped;
+        double until = meeting.free_until, deep = DEEP * (2.0 + point_distance(other->center, place_at(chunk, chunk->from)));
         if (other == chunk->shape) assert_int_equal(hit, 0);
         if (other == chunk->shape) continue;
         assert_true(until >= chunk->from && until <= chunk->to);

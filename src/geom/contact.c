@@ -2,6 +2,7 @@
 #include "geom/contact.h"
 
 #include "geom/angle.h"
+#include "geom/bracket.h"
 #include "geom/spiral.h"
 #include "geom/tolerance.h"
 
@@ -119,7 +120,7 @@ static double contact_solve(const geom_ride *ride, const geom_disc *other, conta
     int stayed_outside = 0;
     for (int step = 0; step < 100 && b.time - a.time > enough; ++step) {
         double newton = -a.value / a.slope, time = a.time + (stayed_outside ? 2.0 * newton + 0.5 * enough : newton);
-        if (!(time > a.time && time < b.time) || step % 8 == 7) time = 0.5 * (a.time + b.time);
+        if (!bracket_holds(a.time, b.time, time) || step % 8 == 7) time = 0.5 * (a.time + b.time);
         if (time <= a.time || time >= b.time) break;
         contact_state state = contact_at(ride, other, time, grace);
         stayed_outside = state.value >= 0.0;

@@ -14,6 +14,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "geom/bracket.h"
+
 /* Intervals are halved this often at most. */
 #define DEPTH 47
 
@@ -141,7 +143,7 @@ static double root_refine(const polynomial *p, double lo, double hi, int sign)
         if ((value > 0.0) == (sign > 0)) lo = x;
         else hi = x;
         double next = x - value / polynomial_slope(p, x);
-        if (!(next > lo && next < hi) || fabs(next - x) > 0.5 * before) next = 0.5 * (lo + hi);
+        if (!bracket_holds(lo, hi, next) || fabs(next - x) > 0.5 * before) next = 0.5 * (lo + hi);
         before = fabs(next - x);
         if (before <= 0.25 * DBL_EPSILON * fabs(x) || next <= lo || next >= hi) return x;
         x = next;

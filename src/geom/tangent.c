@@ -1,6 +1,7 @@
 /* Straight legs between two moving boundaries: the equations are in tangent.h. */
 #include "geom/tangent.h"
 
+#include "geom/bracket.h"
 #include "geom/spiral.h"
 #include "geom/tolerance.h"
 
@@ -206,7 +207,7 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
         }
         double next = time - value / slope;
         if (!is_bracketed && !(next < end)) next = end;
-        else if (!(next > lo && next < hi) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
+        else if (!bracket_holds(lo, hi, next) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
         if (next == time || next <= lo || (is_bracketed && next >= hi)) return 1;
         time = next;
     }
@@ -219,7 +220,7 @@ static int leave_concentric(const geom_tangent *tangent, double t0, double t1, d
     double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
     if (slope == 0.0) return 0;
     double time = t0 - tangent_k(tangent, t0) / slope;
-    if (!(time >= t0 && time <= t1) || tangent_w(tangent, time) >= 0.0) return 0;
+    if (!(time >= t0) || !(time <= t1) || tangent_w(tangent, time) >= 0.0) return 0;
     *leave = time;
     return 1;
 }

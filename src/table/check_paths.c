@@ -74,7 +74,8 @@ static int check_path(const tdsp_table *table, uint64_t row, uint64_t first, uin
     for (uint64_t i = first; i < end; i++) {
         const unsigned char *waypoint = check_waypoint(table, i);
         int inside = table->joint == 1 || (i - first) % 2 == 0;
-        if (!check_finite(waypoint, 3) || !check_waypoint_kind(table, waypoint, inside && i + 1 < end)) return 0;
+        int starts_leg = inside && i + 1 < end;
+        if (!check_finite(waypoint, 3) || !check_waypoint_kind(table, waypoint, starts_leg)) return 0;
         if (i == first) continue;
         double before = check_time(table, i - 1);
         double time = check_time(table, i);

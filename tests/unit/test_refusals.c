@@ -18,9 +18,9 @@ static const tdsp_journey across = {1.0, 0.1, {-10.0, 0.0}, {10.0, 0.0}};
 static const double bending[3] = {0.02, 0.001, 1e-5}, rates[3] = {0.02, 0.05, 0.01}, times[3] = {0.0, 5.0, 20.0};
 
 /* Which discs, and how they grow: each kind is solved, raised and verified by code of its own. */
-typedef enum kind { KIND_RATES, KIND_PIECES, KIND_BENDING, KINDS } kind;
+typedef enum discs_kind { KIND_RATES, KIND_PIECES, KIND_BENDING, KINDS } discs_kind;
 
-static tdsp_growing_disc disc_of(kind kind, tdsp_point center, double radius)
+static tdsp_growing_disc disc_of(discs_kind kind, tdsp_point center, double radius)
 {
     tdsp_growing_disc disc;
     memset(&disc, 0, sizeof disc);
@@ -35,7 +35,7 @@ static tdsp_growing_disc disc_of(kind kind, tdsp_point center, double radius)
 }
 
 /* A gap that closes, and a crowd beside it. */
-static tdsp_status scene_make(kind kind, const tdsp_allocator *memory, tdsp_scene **out)
+static tdsp_status scene_make(discs_kind kind, const tdsp_allocator *memory, tdsp_scene **out)
 {
     tdsp_growing_disc discs[MANY] = {disc_of(kind, (tdsp_point){0.0, 3.0}, 2.5), disc_of(kind, (tdsp_point){0.0, -3.0}, 2.5)};
     uint64_t chance = 1;
@@ -47,7 +47,7 @@ static tdsp_status scene_make(kind kind, const tdsp_allocator *memory, tdsp_scen
 }
 
 typedef struct question {
-    kind kind;
+    discs_kind kind;
     tdsp_method method;
     tdsp_raise how;
     tdsp_status (*ask)(tdsp_solver *solver, const struct question *self);
@@ -75,7 +75,7 @@ static tdsp_status ask_all(const tdsp_allocator *memory, void *ctx)
 /* Ask of each kind of growth, by the quick method and by the general one. */
 static void refuse_raised(tdsp_status (*ask)(tdsp_solver *solver, const question *self), tdsp_raise how, tdsp_status expected)
 {
-    for (kind kind = 0; kind < KINDS; kind++)
+    for (discs_kind kind = 0; kind < KINDS; kind++)
         for (int general = 0; general < 2; general++) {
             question asked = {kind, general ? TDSP_METHOD_GENERAL : TDSP_METHOD_AUTO, how, ask, NULL, 0};
             assert_true(refuse_each(ask_all, &asked, expected) > 10);
@@ -257,7 +257,7 @@ static void paths_without_memory_are_neither_cleared_nor_condemned(void **state)
 {
     (void)state;
     tdsp_leg legs[LEGS];
-    for (kind kind = 0; kind < KINDS; kind++)
+    for (discs_kind kind = 0; kind < KINDS; kind++)
         for (int how = 0; how < 2; how++) {
             question margin = {kind, TDSP_METHOD_AUTO, (tdsp_raise)how, ask_path_margin, legs, 0}, verdict;
             tdsp_scene *scene;

@@ -103,12 +103,11 @@ tdsp_status tdsp_solver_deadline(tdsp_solver *solver, double deadline, tdsp_dead
 {
     tdsp_ends ends;
     if (!solver || !out) return TDSP_INVALID_ARGUMENT;
-    tdsp_status status = tdsp_solver_ends(solver, &ends);
-    if (status != TDSP_OK) return status;
+    (void)tdsp_solver_ends(solver, &ends); /* which every solver has */
     const tdsp_witness none = {TDSP_LIMIT_NONE, TDSP_NO_DISC, TDSP_NO_DISC, INFINITY, ends.destination};
     deadline_state state = {solver, {INFINITY, INFINITY, none, TDSP_OK, INFINITY}};
     tdsp_deadline_answer *answer = &state.answer;
-    status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
+    tdsp_status status = tdsp_latest_departure(solver, deadline, &answer->departure, &answer->arrival);
     if (status != TDSP_OK) return status;
     if (deadline - answer->arrival <= share_of(&state, SAME_TIME, ROUNDING)) {
         answer->witness.limit = TDSP_LIMIT_DEADLINE;

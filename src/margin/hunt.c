@@ -165,7 +165,7 @@ static double hunt_inside(const hunt *self, double guess)
     if (p >= self->hi) p = self->hi - fmax(PAST * width, least);
     if (p <= self->lo) p = self->lo + least;
     p = fmin(fmax(p, self->lo + least), self->hi - least);
-    return p > self->lo && p < self->hi ? p : hunt_middle(self);
+    return p > self->lo ? p : hunt_middle(self);
 }
 
 static double hunt_next(const hunt *self, int is_slow)

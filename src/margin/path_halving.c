@@ -74,12 +74,12 @@ static tdsp_status halving_rise(halving *self, double *most, double unit)
     return TDSP_OK;
 }
 
-/* How much a disc gains at a time by so much more than the amount that stands for the scene as it is. */
+/* How much the disc that was met gains at a time by so much more than the amount that stands for the scene as it is. */
 static double gained(const halving *self, double more)
 {
     double radius = 0.0, first = 0.0;
-    if (self->met.disc == TDSP_NO_DISC || self->how == TDSP_RAISE_ADDED) return more * self->met.time;
-    if (tdsp_scene_disc_at(self->scene, self->met.disc, self->met.time, &radius, NULL) != TDSP_OK) return INFINITY;
+    if (self->how == TDSP_RAISE_ADDED) return more * self->met.time;
+    (void)tdsp_scene_disc_at(self->scene, self->met.disc, self->met.time, &radius, NULL);
     (void)tdsp_scene_disc_at(self->scene, self->met.disc, 0.0, &first, NULL);
     return more * (radius - first);
 }

@@ -12,7 +12,6 @@ swell_piece swell_of_rate(double radius, double growth)
 
 int swell_is_rate(const tdsp_scene *scene, uint32_t disc)
 {
-    if (!scene->pieces) return 1;
     const uint32_t first = scene->first_piece[disc];
     return scene->first_piece[disc + 1] == first + 1 && scene->pieces[first].degree <= 1;
 }
@@ -33,7 +32,6 @@ static uint32_t piece_number(const tdsp_scene *scene, uint32_t disc, double time
 
 swell_piece swell_at(const tdsp_scene *scene, uint32_t disc, double time)
 {
-    if (!scene->pieces) return swell_of_rate(scene->discs[disc].radius + scene->journey.radius, scene->discs[disc].growth);
     const uint32_t number = piece_number(scene, disc, time);
     const law_piece *kept = &scene->pieces[number];
     swell_piece piece = {kept->start, INFINITY, (int)kept->degree, {0.0}};

@@ -23,10 +23,10 @@ typedef struct swell_piece {
 /* A disc of one rate. */
 swell_piece swell_of_rate(double radius, double growth);
 
-/* The piece of a disc of the scene that holds at a time and right after it; the first for a time before 0. O(log pieces). */
+/* Where rates change: the piece of a disc of the scene that holds at a time and right after it; the first for a time before 0. O(log pieces). */
 swell_piece swell_at(const tdsp_scene *scene, uint32_t disc, double time);
 
-/* Does a disc of the scene grow at one rate? */
+/* Likewise: does a disc of the scene grow at one rate? */
 int swell_is_rate(const tdsp_scene *scene, uint32_t disc);
 
 double swell_radius(const swell_piece *piece, double time);

@@ -127,31 +127,54 @@ static void a_ride_on_its_own_disc_has_its_rate(void **state)
     assert_near(touch_of(&w, (tdsp_point){3, -2}, 1.0, 1e-13).rate, 0.25, 1e-15);
 }
 
+#define MALFORMED(change)                                                                                                        \
+    do {                                                                                                                         \
+        tdsp_leg bad = good;                                                                                                     \
+        bad.change;                                                                                                              \
+        assert_false(way_well_formed(&bad));                                                                                     \
+    } while (0)
+
 static void malformed_legs_are_told(void **state)
 {
     (void)state;
-    tdsp_leg good = arc(4.0, 8.0, (tdsp_point){3, -2}, 2.0, 3.0, 0.5, -1, 1.0), bad = good;
+    const tdsp_leg good = arc(4.0, 8.0, (tdsp_point){3, -2}, 2.0, 3.0, 0.5, -1, 1.0);
     assert_true(way_well_formed(&good));
-    bad.start_time = -1.0;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.end_time = 3.0;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.turn = 0;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.radius_from = 0.0;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.sweep = NAN;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.to.x = INFINITY;
-    assert_false(way_well_formed(&bad));
-    bad = good;
-    bad.kind = 77;
-    assert_false(way_well_formed(&bad));
+    MALFORMED(start_time = -1.0);
+    MALFORMED(end_time = 3.0);
+    MALFORMED(end_time = INFINITY);
+    MALFORMED(turn = 0);
+    MALFORMED(center.x = NAN);
+    MALFORMED(center.y = INFINITY);
+    MALFORMED(radius_from = 0.0);
+    MALFORMED(radius_from = INFINITY);
+    MALFORMED(radius_to = -1.0);
+    MALFORMED(angle_from = INFINITY);
+    MALFORMED(sweep = NAN);
+    MALFORMED(sweep = -0.1);
+    MALFORMED(from.x = NAN);
+    MALFORMED(from.y = NAN);
+    MALFORMED(to.x = INFINITY);
+    MALFORMED(kind = 77);
+}
+
+/* Around a centre 1e-5 away the distance hardly changes: the parts are halved until that costs too much, and what is left out is within the coarse resolution. */
+static void a_ride_that_creeps_along_a_disc_is_bounded_from_below(void **state)
+{
+    (void)state;
+    const tdsp_leg leg = arc(4.0, 8.0, (tdsp_point){0, 0}, 2.0, 3.0, 0.0, 1, 6.0);
+    const tdsp_point beside = {1e-5, 0};
+    const way w = way_of(&leg);
+    const touch found = touch_of(&w, beside, 1.0, 1e-13);
+    check_leg(&leg, beside, 1.0);
+    assert_near(found.rate, 0.25, 1e-5);
+}
+
+/* A radius that gains more than a double holds still makes an arc of finite length. */
+static void an_arc_may_begin_next_to_its_centre(void **state)
+{
+    (void)state;
+    const tdsp_leg leg = arc(0.0, 1.0, (tdsp_point){0, 0}, 1e-310, 1.0, 0.0, 1, 1.0);
+    assert_near(way_of(&leg).length, hypot(1.0, 1.0 / (310.0 * log(10.0))), 1e-12);
 }
 
 int main(void)
@@ -164,6 +187,8 @@ int main(void)
         cmocka_unit_test(a_robot_at_rest_is_caught_at_the_end),
         cmocka_unit_test(a_ride_on_its_own_disc_has_its_rate),
         cmocka_unit_test(malformed_legs_are_told),
+        cmocka_unit_test(a_ride_that_creeps_along_a_disc_is_bounded_from_below),
+        cmocka_unit_test(an_arc_may_begin_next_to_its_centre),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

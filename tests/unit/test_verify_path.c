@@ -296,28 +296,36 @@ static void a_slow_line_is_no_problem(void **state)
     assert_int_equal(problems_of(legs, &leg), 0);
 }
 
+#define MEANS_NOTHING(change, where)                                                                                             \
+    do {                                                                                                                         \
+        good_path(legs);                                                                                                         \
+        legs[where].change;                                                                                                      \
+        assert_problems(TDSP_PROBLEM_LEG, where);                                                                                \
+    } while (0)
+
 static void legs_that_mean_nothing_are_found(void **state)
 {
     (void)state;
     tdsp_leg legs[3];
     const double nothing[] = {NAN, INFINITY, -INFINITY};
     for (size_t i = 0; i < 3; i++) {
-        good_path(legs);
-        legs[1].radius_to = nothing[i];
-        assert_problems(TDSP_PROBLEM_LEG, 1);
-        good_path(legs);
-        legs[2].to.y = nothing[i];
-        assert_problems(TDSP_PROBLEM_LEG, 2);
+        MEANS_NOTHING(radius_to = nothing[i], 1);
+        MEANS_NOTHING(radius_from = nothing[i], 1);
+        MEANS_NOTHING(center.x = nothing[i], 1);
+        MEANS_NOTHING(center.y = nothing[i], 1);
+        MEANS_NOTHING(angle_from = nothing[i], 1);
+        MEANS_NOTHING(sweep = nothing[i], 1);
+        MEANS_NOTHING(from.x = nothing[i], 0);
+        MEANS_NOTHING(to.y = nothing[i], 2);
+        MEANS_NOTHING(start_time = nothing[i], 1);
+        MEANS_NOTHING(end_time = nothing[i], 1);
     }
-    good_path(legs);
-    legs[0].kind = 7;
-    assert_problems(TDSP_PROBLEM_LEG, 0);
-    good_path(legs);
-    legs[1].turn = 0;
-    assert_problems(TDSP_PROBLEM_LEG, 1);
-    good_path(legs);
-    legs[1].end_time = legs[1].start_time - 1.0;
-    assert_problems(TDSP_PROBLEM_LEG, 1);
+    MEANS_NOTHING(kind = 7, 0);
+    MEANS_NOTHING(turn = 0, 1);
+    MEANS_NOTHING(sweep = -1.0, 1);
+    MEANS_NOTHING(radius_from = 0.0, 1);
+    MEANS_NOTHING(radius_to = 0.0, 1);
+    MEANS_NOTHING(end_time = legs[1].start_time - 1.0, 1);
 }
 
 static void an_arc_belongs_to_the_disc_it_names_and_to_its_centre(void **state)
@@ -390,8 +398,7 @@ static void many_discs_give_what_each_gives_alone(void **state)
         const tdsp_point from = {chance_between(&chance, -9.0, 9.0), chance_between(&chance, -9.0, 9.0)};
         const tdsp_leg leg = line(0.0, 1.0, from, (tdsp_point){from.x + 0.6, from.y - 0.8});
         double expected = INFINITY;
-        for (size_t i = 0; i < COUNT; i++)
-            expected = fmin(expected, sampled_clearance(&leg, &discs[i], 4));
+        for (size_t i = 0; i < COUNT; i++) expected = fmin(expected, sampled_clearance(&leg, &discs[i], 4));
         const tdsp_journey journey = {1.0, 0.0, leg.from, leg.to};
         assert_near(verdict_of(&journey, discs, COUNT, &leg, 1).min_clearance, expected, 1e-12);
     }
@@ -403,6 +410,7 @@ static void arguments_out_of_range_are_refused(void **state)
     tdsp_scene *scene;
     tdsp_verdict verdict;
     const tdsp_leg leg = line(0.0, 20.0, gap_journey.source, gap_journey.destination);
+    const tdsp_ends nowhere = {{NAN, 0.0}, {0.0, 0.0}};
     assert_int_equal(tdsp_scene_create(&gap_journey, gap_discs, 2, NULL, &scene), TDSP_OK);
     assert_int_equal(tdsp_verify_path(NULL, &leg, 1, 0.0, 20.0, &verdict), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_verify_path(scene, NULL, 1, 0.0, 20.0, &verdict), TDSP_INVALID_ARGUMENT);
@@ -410,6 +418,7 @@ static void arguments_out_of_range_are_refused(void **state)
     assert_int_equal(tdsp_verify_path(scene, &leg, 1, NAN, 20.0, &verdict), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_verify_path(scene, &leg, 1, 0.0, INFINITY, &verdict), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_verify_path(scene, &leg, 1, 0.0, 20.0, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_verify_path_for(scene, &nowhere, &leg, 1, 0.0, 20.0, &verdict), TDSP_INVALID_ARGUMENT);
     tdsp_scene_free(scene);
 }
 

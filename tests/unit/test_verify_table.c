@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "support/golden.h"
+#include "support/toy_tables.h"
 #include "tdsp/build.h"
 #include "tdsp/scene.h"
 #include "tdsp/solver.h"
@@ -151,6 +152,40 @@ static void a_path_that_ends_beside_the_destination_is_a_bad_path(void **state)
     discard(&f);
 }
 
+/* A road network's rows bring a path of their own kind: nothing that the verifier could hold against discs. */
+static void a_table_that_is_monotone_in_arrival_is_held_in_order_by_its_arrivals(void **state)
+{
+    (void)state;
+    toy t = toy_named("city")->toy;
+    const tdsp_oracle oracle = toy_oracle(&t, 0);
+    tdsp_build_options options;
+    fixture f;
+    tdsp_build_options_init(&options);
+    options.guarantee = TDSP_GUARANTEE_ARRIVAL;
+    toy_table table = toy_build(&oracle, &options);
+    assert_int_equal(tdsp_scene_create(&journey, discs, 2, NULL, &f.scene), TDSP_OK);
+    f.table = table.table;
+    const tdsp_table_verdict verdict = verdict_of(&f);
+    assert_int_equal(verdict.bad_order + verdict.bad_ratio, 0);
+    assert_int_equal(verdict.bad_paths, table.report.rows);
+    tdsp_scene_free(f.scene);
+    toy_table_free(&table);
+}
+
+static void a_table_that_was_never_opened_and_ends_that_are_no_places_are_refused(void **state)
+{
+    (void)state;
+    fixture f;
+    tdsp_table never;
+    tdsp_table_verdict verdict;
+    const tdsp_ends nowhere = {{0.0, 0.0}, {0.0, INFINITY}};
+    memset(&never, 0, sizeof never);
+    build(&f, TDSP_GUARANTEE_TRAVEL, TDSP_SAMPLING_ADAPTIVE);
+    assert_int_equal(tdsp_verify_table(f.scene, &never, &verdict), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_verify_table_for(f.scene, &nowhere, &f.table, &verdict), TDSP_INVALID_ARGUMENT);
+    discard(&f);
+}
+
 static void null_arguments_are_refused(void **state)
 {
     (void)state;
@@ -171,6 +206,8 @@ int main(void)
         cmocka_unit_test(larger_discs_make_rows_fail_by_their_paths),
         cmocka_unit_test(an_upper_end_that_is_too_high_breaks_the_guarantee),
         cmocka_unit_test(a_path_that_ends_beside_the_destination_is_a_bad_path),
+        cmocka_unit_test(a_table_that_is_monotone_in_arrival_is_held_in_order_by_its_arrivals),
+        cmocka_unit_test(a_table_that_was_never_opened_and_ends_that_are_no_places_are_refused),
         cmocka_unit_test(null_arguments_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -55,25 +55,45 @@ int tangent_possible(const geom_tangent *tangent)
     return tangent->root > 0 || tangent->to_side * tangent->sin_alpha > 0.0;
 }
 
+/* The direction in which the arrival normal is acos(k / |D|) from the centres' line. */
+static double tangent_towards(const geom_tangent *tangent, double k, double reach)
+{
+    return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * atan2(reach, k));
+}
+
 double tangent_heading(const geom_tangent *tangent, double time)
 {
     double k = tangent_k(tangent, time);
-    double fan = atan2(tangent_reach(tangent, k), k); /* acos(k / |D|) */
-    return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * fan);
+    return tangent_towards(tangent, k, tangent_reach(tangent, k));
 }
 
-double tangent_normal(const geom_tangent *tangent, double angle, double time)
+/* (3.4): how far the arrival is ahead of the far centre, less w. */
+static double tangent_length_of(const geom_tangent *tangent, double ahead, double w)
 {
-    double reach = tangent_reach(tangent, tangent_k(tangent, time));
-    if (tangent_is_concentric(tangent, time) || fabs(tangent_w(tangent, time)) >= reach) return angle;
-    return tangent_heading(tangent, time) - tangent->side * tangent->from->theta;
+    double length = (ahead - w) / tangent->to->sine;
+    return length > 0.0 ? length : 0.0;
 }
 
 double tangent_length(const geom_tangent *tangent, double time)
 {
-    double k = tangent_k(tangent, time);
-    double length = (tangent->root * tangent_reach(tangent, k) - tangent_w(tangent, time)) / tangent->to->sine;
-    return length > 0.0 ? length : 0.0;
+    double reach = tangent_reach(tangent, tangent_k(tangent, time));
+    return tangent_length_of(tangent, tangent->root * reach, tangent_w(tangent, time));
+}
+
+geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
+{
+    double k = tangent_k(tangent, time), reach = tangent_reach(tangent, k), w = tangent_w(tangent, time);
+    double turned = tangent->side * tangent->from->theta;
+    geom_leg leg = {angle, angle + turned, 0.0};
+    if (fabs(w) >= reach || tangent_is_concentric(tangent, time)) {
+        double normal = leg.heading - tangent->to_side * tangent->to->theta;
+        leg.length = tangent_length_of(tangent, -tangent->to_side * tangent->distance * sin(normal - tangent->bearing), w);
+        return leg;
+    }
+    leg.heading = tangent_towards(tangent, k, reach);
+    leg.normal = leg.heading - turned;
+    leg.length = tangent_length_of(tangent, tangent->root * reach, w);
+    return leg;
 }
 
 /* The times between t0 and t1 at which |K| <= |D|: *lo > *hi where there are none. */

@@ -55,14 +55,22 @@ int tangent_domain(const geom_tangent *tangent, double t0, double t1, double end
 /* The direction of the leg for a departure at `time` inside the domain. */
 double tangent_heading(const geom_tangent *tangent, double time);
 
-/*
- * The rider's normal at a departure that was solved for, `angle` being where the ride itself says it is. Of the ride and the departure point
- * the one decides that moves less in an ulp of time: on a pebble the ride spins, near |k| = 1 the departure point does.
- */
-double tangent_normal(const geom_tangent *tangent, double angle, double time);
-
 /* The leg's length for a departure at `time` inside the domain, not negative. */
 double tangent_length(const geom_tangent *tangent, double time);
+
+/* A leg as a rider takes it: his normal, the leg's direction, and its length, not negative. */
+typedef struct geom_leg {
+    double normal;
+    double heading;
+    double length;
+} geom_leg;
+
+/*
+ * The leg at a departure that was solved for, `angle` being where the ride itself says the rider is. Of the ride and the departure point
+ * the one decides that moves less in an ulp of time: on a pebble the ride spins, near |k| = 1 the departure point does. There sqrt(|D|^2 - K^2) is lost to
+ * rounding, by up to 1e-8. What the ride says is not: with the arrival normal n_j that its heading leads to, rho sqrt(|D|^2 - K^2) = -q D x n_j.
+ */
+geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time);
 
 /*
  * The first time in [t0, t1] at which a rider, who is at the normal `angle` at t0 and rides until t1, meets the departure

@@ -49,13 +49,13 @@ static tdsp_status task_push(leave_task *task, const geom_tangent *tangent, uint
 {
     disc_engine *engine = task->engine;
     const geom_ride *motion = &task->wedge.motion;
-    double normal = task_is_start(task) ? 0.0 : tangent_normal(tangent, ride_angle(motion, leave), leave);
-    double heading = task_is_start(task) ? tangent_heading(tangent, leave) : disc_heading(motion->disc, motion->side, normal);
-    engine_leg leg = {task->ride, target, tangent->to_side, task->goal, leave, normal, heading, tangent_length(tangent, leave), 0.0};
-    double direction = wedge_direction(&task->wedge, angle_positive(heading));
+    geom_leg taken = task_is_start(task) ? (geom_leg){0.0, tangent_heading(tangent, leave), tangent_length(tangent, leave)}
+                                         : tangent_leg(tangent, ride_angle(motion, leave), leave);
+    engine_leg leg = {task->ride, target, tangent->to_side, task->goal, leave, taken.normal, taken.heading, taken.length, 0.0};
+    double direction = wedge_direction(&task->wedge, angle_positive(leg.heading));
     if (sky_hides(&task->wedge.sky, direction, direction, leg.length)) return TDSP_OK;
     if (target != ENGINE_GOAL) {
-        double reached = heading - leg.side * tangent->to->theta;
+        double reached = leg.heading - leg.side * tangent->to->theta;
         tdsp_point place = disc_boundary(tangent->to, reached, leg_arrival(&leg));
         leg.bound = engine_bound(engine, place);
     }

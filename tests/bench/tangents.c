@@ -79,10 +79,10 @@ static tdsp_status push_tangent(Graph *graph, const geom_ride *ride, const geom_
     double leave;
     geom_tangent tangent = tangent_make(pair, ride->side, side, root);
     if (!tangent_possible(&tangent) || !tangent_leave(&tangent, ride->angle, ride->start, ride->end, &leave)) return TDSP_OK;
-    double normal = tangent_normal(&tangent, ride_angle(ride, leave), leave);
-    Leg leg = {target, (guint32)(ride->disc - graph->discs), side, {{0, 0}, {0, 0}, leave, tangent_length(&tangent, leave)}};
-    leg.motion.from = disc_boundary(ride->disc, normal, leave);
-    leg.motion.heading = point_unit(disc_heading(ride->disc, ride->side, normal));
+    geom_leg taken = tangent_leg(&tangent, ride_angle(ride, leave), leave);
+    Leg leg = {target, (guint32)(ride->disc - graph->discs), side, {{0, 0}, {0, 0}, leave, taken.length}};
+    leg.motion.from = disc_boundary(ride->disc, taken.normal, leave);
+    leg.motion.heading = point_unit(taken.heading);
     return push(graph, &leg);
 }
 

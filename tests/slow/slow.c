@@ -1,39 +1,40 @@
 /* The search of slow.h: rides in the order of time plus the straight way left. */
 #include "slow/slow.h"
 
-#include <math.h>
 #include <stdlib.h>
+#include <tgmath.h>
 
 #include "slow/slow_ride.h"
 #include "slow/slow_world.h"
 
 #define MOST_RIDES 40000
-#define SAME_TIME 1e-13
-#define NO_MOVE 1e-7 /* where discs touch, a ride and a leg both shorter than this lead nowhere that the ride before does not */
+#define SAME_TIME (450.0 * SLOW_EPSILON)  /* 1e-13 for a double */
+#define SAME_ANGLE (4500.0 * SLOW_EPSILON) /* 1e-12 */
+/* Where discs touch, a ride and a leg both shorter than this lead nowhere that the ride before does not: 1e-7. */
+#define NO_MOVE (4.5e8 * SLOW_EPSILON)
 #define NOWHERE ((size_t)-1)
-
-static const double pi = 3.14159265358979323846;
 
 typedef struct node {
     slow_ride ride;
     size_t from;   /* the ride that was left for this one, NOWHERE for the source */
-    double turned; /* how far that one had turned */
-    double bound;  /* time plus the straight way left */
-    double end;    /* once explored: how far it is free; negative before */
+    slow_real turned; /* how far that one had turned */
+    slow_real bound;  /* time plus the straight way left */
+    slow_real end;    /* once explored: how far it is free; negative before */
 } node;
 
 typedef struct search {
     slow_world world;
-    double departure;
+    slow_real departure;
     node *nodes;
     size_t count;
     size_t *heap; /* open nodes, least bound first */
     size_t open;
     size_t exploring; /* the ride whose leaves are being told */
     int overflow;
-    double best; /* arrival */
+    slow_real last; /* nobody arrives later, for the destination is covered */
+    slow_real best; /* arrival */
     size_t best_from;
-    double best_turned;
+    slow_real best_turned;
 } search;
 
 static void heap_add(search *s, size_t added)
@@ -62,10 +63,10 @@ static size_t heap_take(search *s)
     return taken;
 }
 
-static void add_ride(search *s, slow_ride ride, double turned)
+static void add_ride(search *s, slow_ride ride, slow_real turned)
 {
     const slow_moment at = slow_ride_at(&s->world, &ride, 0.0);
-    const double bound = ride.time + hypot(s->world.to_x - at.x, s->world.to_y - at.y);
+    const slow_real bound = ride.time + hypot(s->world.to_x - at.x, s->world.to_y - at.y);
     if (bound >= s->best || slow_radius(&s->world.discs[ride.disc], ride.time) <= 0.0) return;
     if (s->count == MOST_RIDES) {
         s->overflow = 1;
@@ -75,7 +76,7 @@ static void add_ride(search *s, slow_ride ride, double turned)
     heap_add(s, s->count++);
 }
 
-static void arrive(search *s, double time, double turned)
+static void arrive(search *s, slow_real time, slow_real turned)
 {
     if (time >= s->best) return;
     s->best = time;
@@ -83,20 +84,20 @@ static void arrive(search *s, double time, double turned)
     s->best_turned = turned;
 }
 
-static void leave_for_destination(search *s, double x, double y, double time, double turned)
+static void leave_for_destination(search *s, slow_real x, slow_real y, slow_real time, slow_real turned)
 {
-    const double dx = s->world.to_x - x, dy = s->world.to_y - y, length = hypot(dx, dy);
+    const slow_real dx = s->world.to_x - x, dy = s->world.to_y - y, length = hypot(dx, dy);
     if (slow_line_free(&s->world, x, y, atan2(dy, dx), time, length)) arrive(s, time + length, turned);
 }
 
-static void leave_for_disc(search *s, size_t disc, int side, double x, double y, double time, double turned)
+static void leave_for_disc(search *s, size_t disc, int side, slow_real x, slow_real y, slow_real time, slow_real turned)
 {
     const slow_disc *target = &s->world.discs[disc];
-    double heading, length;
+    slow_real heading, length;
     if (!slow_tangent(target, side, x, y, time, &heading, &length)) return;
     if (s->exploring != NOWHERE && turned < NO_MOVE && length < NO_MOVE) return;
     if (!slow_line_free(&s->world, x, y, heading, time, length)) return;
-    const double rest = sqrt((1.0 - target->rate) * (1.0 + target->rate));
+    const slow_real rest = sqrt((1.0 - target->rate) * (1.0 + target->rate));
     add_ride(s, (slow_ride){disc, side, heading - side * atan2(rest, target->rate), time + length}, turned);
 }
 
@@ -131,14 +132,14 @@ static void explore_source(search *s)
 static int outrun(const search *s, const node *earlier, const node *later)
 {
     if (earlier->ride.disc != later->ride.disc || earlier->end < 0.0) return 0;
-    const double ahead = earlier->ride.side * (later->ride.angle - earlier->ride.angle);
-    const double turned = slow_wrap_positive(ahead) < 2.0 * pi - 1e-12 ? slow_wrap_positive(ahead) : 0.0;
+    const slow_real ahead = earlier->ride.side * (later->ride.angle - earlier->ride.angle);
+    const slow_real turned = slow_wrap_positive(ahead) < 2.0 * SLOW_PI - SAME_ANGLE ? slow_wrap_positive(ahead) : 0.0;
     if (turned > earlier->end) return 0;
     const slow_moment at = slow_ride_at(&s->world, &earlier->ride, turned);
-    const double lead = later->ride.time - at.time;
+    const slow_real lead = later->ride.time - at.time;
     if (lead <= SAME_TIME * later->ride.time)
         return lead >= -SAME_TIME * later->ride.time && earlier->ride.side == later->ride.side;
-    const double length = lead * s->world.discs[later->ride.disc].rate;
+    const slow_real length = lead * s->world.discs[later->ride.disc].rate;
     return slow_line_free(&s->world, at.x, at.y, later->ride.angle, at.time, length);
 }
 
@@ -150,12 +151,12 @@ static int is_outrun(const search *s, const node *later)
 }
 
 /* The destination on the boundary of the ridden disc is reached without a last line. */
-static void ride_onto_destination(search *s, const slow_ride *ride, double end)
+static void ride_onto_destination(search *s, const slow_ride *ride, slow_real end)
 {
     const slow_disc *disc = &s->world.discs[ride->disc];
-    const double angle = atan2(s->world.to_y - disc->y, s->world.to_x - disc->x);
-    const double turned = slow_wrap_positive(ride->side * (angle - ride->angle));
-    if (turned > end + 1e-12) return;
+    const slow_real angle = atan2(s->world.to_y - disc->y, s->world.to_x - disc->x);
+    const slow_real turned = slow_wrap_positive(ride->side * (angle - ride->angle));
+    if (turned > end + SAME_ANGLE) return;
     const slow_moment at = slow_ride_at(&s->world, ride, turned);
     if (hypot(at.x - s->world.to_x, at.y - s->world.to_y) <= slow_slack(disc, at.x, at.y, at.time)) arrive(s, at.time, turned);
 }
@@ -164,17 +165,29 @@ static void explore(search *s, size_t chosen)
 {
     const slow_ride ride = s->nodes[chosen].ride;
     if (is_outrun(s, &s->nodes[chosen])) return;
-    /* Nobody who turns once round, or who is later than the best arrival, does anything of use. */
-    double limit = 2.0 * pi;
-    if (s->best < INFINITY) limit = fmin(limit, slow_ride_turned(&s->world, &ride, s->best));
-    const double end = slow_ride_free(&s->world, &ride, limit);
+    /* Nobody who turns once round, or who is later than the best arrival or the last, does anything of use. */
+    slow_real limit = 2.0 * SLOW_PI;
+    const slow_real latest = fmin(s->best, s->last);
+    if (latest < INFINITY) limit = fmin(limit, slow_ride_turned(&s->world, &ride, latest));
+    const slow_real end = slow_ride_free(&s->world, &ride, limit);
     s->nodes[chosen].end = end;
     s->exploring = chosen;
     ride_onto_destination(s, &ride, end);
     slow_ride_leaves(&s->world, &ride, end, on_leave, s);
 }
 
-static int search_begin(search *s, const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double departure)
+/* When the destination is covered, and a little later: a touch is none. */
+static slow_real last_arrival(const slow_world *world)
+{
+    slow_real last = INFINITY;
+    for (size_t i = 0; i < world->count; i++) {
+        const slow_disc *disc = &world->discs[i];
+        if (disc->rate > 0.0) last = fmin(last, slow_clearance(disc, world->to_x, world->to_y, 0.0) / disc->rate);
+    }
+    return last + 1e-6 * (1.0 + fabs(last));
+}
+
+static int search_begin(search *s, const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real departure)
 {
     s->nodes = NULL;
     s->heap = NULL;
@@ -185,6 +198,7 @@ static int search_begin(search *s, const tdsp_journey *journey, const tdsp_disc 
     s->heap = malloc(MOST_RIDES * sizeof *s->heap);
     s->count = s->open = 0;
     s->exploring = s->best_from = NOWHERE;
+    s->last = last_arrival(&s->world);
     s->best = INFINITY;
     s->best_turned = 0.0;
     s->overflow = 0;
@@ -206,22 +220,22 @@ static void search_run(search *s)
     }
 }
 
-static tdsp_point user_point(const slow_world *world, double x, double y)
+static tdsp_point user_point(const slow_world *world, slow_real x, slow_real y)
 {
-    return (tdsp_point){world->origin.x + world->length * x, world->origin.y + world->length * y};
+    return (tdsp_point){(double)(world->origin.x + world->length * x), (double)(world->origin.y + world->length * y)};
 }
 
 static tdsp_leg line_leg(const slow_world *world, slow_moment from, slow_moment to)
 {
     return (tdsp_leg){.kind = TDSP_LEG_LINE,
                       .disc = TDSP_NO_DISC,
-                      .start_time = from.time * world->time,
-                      .end_time = to.time * world->time,
+                      .start_time = (double)(from.time * world->time),
+                      .end_time = (double)(to.time * world->time),
                       .from = user_point(world, from.x, from.y),
                       .to = user_point(world, to.x, to.y)};
 }
 
-static tdsp_leg ride_leg(const slow_world *world, const slow_ride *ride, double turned)
+static tdsp_leg ride_leg(const slow_world *world, const slow_ride *ride, slow_real turned)
 {
     const slow_moment from = slow_ride_at(world, ride, 0.0), to = slow_ride_at(world, ride, turned);
     const slow_disc *disc = &world->discs[ride->disc];
@@ -230,10 +244,10 @@ static tdsp_leg ride_leg(const slow_world *world, const slow_ride *ride, double 
     leg.disc = (uint32_t)ride->disc;
     leg.turn = ride->side;
     leg.center = user_point(world, disc->x, disc->y);
-    leg.radius_from = slow_radius(disc, from.time) * world->length;
-    leg.radius_to = slow_radius(disc, to.time) * world->length;
-    leg.angle_from = ride->angle;
-    leg.sweep = turned;
+    leg.radius_from = (double)(slow_radius(disc, from.time) * world->length);
+    leg.radius_to = (double)(slow_radius(disc, to.time) * world->length);
+    leg.angle_from = (double)ride->angle;
+    leg.sweep = (double)turned;
     return leg;
 }
 
@@ -241,7 +255,7 @@ static tdsp_leg ride_leg(const slow_world *world, const slow_ride *ride, double 
 static size_t trace(const search *s, tdsp_leg *legs, size_t capacity)
 {
     slow_moment next = {s->world.to_x, s->world.to_y, s->best, 0.0};
-    double turned = s->best_turned;
+    slow_real turned = s->best_turned;
     size_t count = 0;
     for (size_t i = s->best_from;; i = s->nodes[i].from) {
         const slow_moment left =
@@ -261,16 +275,16 @@ static size_t trace(const search *s, tdsp_leg *legs, size_t capacity)
     return count;
 }
 
-double slow_path(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double departure, tdsp_leg *legs,
+slow_real slow_path(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real departure, tdsp_leg *legs,
                  size_t capacity, size_t *leg_count)
 {
     search s;
-    double arrival = NAN;
+    slow_real arrival = NAN;
     *leg_count = 0;
     if (search_begin(&s, journey, discs, count, departure)) {
         search_run(&s);
         /* A destination at the source is reached when leaving. */
-        const double found = s.best == s.departure ? departure : s.best * s.world.time;
+        const slow_real found = s.best == s.departure ? departure : s.best * s.world.time;
         arrival = s.overflow ? NAN : found;
         if (arrival < INFINITY && arrival > departure) *leg_count = trace(&s, legs, capacity);
     }
@@ -279,20 +293,20 @@ double slow_path(const tdsp_journey *journey, const tdsp_disc *discs, size_t cou
     return arrival;
 }
 
-double slow_arrival(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double departure)
+slow_real slow_arrival(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real departure)
 {
     size_t legs;
     return slow_path(journey, discs, count, departure, NULL, 0, &legs);
 }
 
-double slow_departure(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double arrival)
+slow_real slow_departure(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real arrival)
 {
-    double low = 0.0, high = arrival;
-    double at = slow_arrival(journey, discs, count, low);
+    slow_real low = 0.0, high = arrival;
+    slow_real at = slow_arrival(journey, discs, count, low);
     if (isnan(at)) return NAN;
     if (!(at <= arrival)) return -1.0;
-    while (high - low > 1e-13 * arrival) {
-        const double middle = 0.5 * (low + high);
+    while (high - low > SAME_TIME * arrival) {
+        const slow_real middle = 0.5 * (low + high);
         if (middle <= low || middle >= high) break;
         at = slow_arrival(journey, discs, count, middle);
         if (isnan(at)) return NAN;

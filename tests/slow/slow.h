@@ -17,17 +17,18 @@
 
 #include <stddef.h>
 
+#include "slow/slow_real.h"
 #include "tdsp/scene.h"
 #include "tdsp/types.h"
 
 /* The earliest arrival, infinite when there is none; NAN when the search was given up as too large. Relative error about 1e-10. */
-double slow_arrival(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double departure);
+slow_real slow_arrival(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real departure);
 
 /* The same with its path: up to `capacity` legs, their number in *leg_count (0 without an arrival). */
-double slow_path(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double departure, tdsp_leg *legs,
+slow_real slow_path(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real departure, tdsp_leg *legs,
                  size_t capacity, size_t *leg_count);
 
 /* sup { t : A(t) <= arrival } by halving on slow_arrival(); negative when A(0) > arrival; NAN as above. */
-double slow_departure(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, double arrival);
+slow_real slow_departure(const tdsp_journey *journey, const tdsp_disc *discs, size_t count, slow_real arrival);
 
 #endif

@@ -11,62 +11,61 @@
  */
 #include "slow/slow_world.h"
 
-#include <math.h>
+#include <tgmath.h>
 
-static const double pi = 3.14159265358979323846;
-
-double slow_wrap(double angle)
+slow_real slow_wrap(slow_real angle)
 {
-    const double wrapped = remainder(angle, 2.0 * pi);
-    return wrapped <= -pi ? wrapped + 2.0 * pi : wrapped;
+    const slow_real wrapped = remainder(angle, 2.0 * SLOW_PI);
+    return wrapped <= -SLOW_PI ? wrapped + 2.0 * SLOW_PI : wrapped;
 }
 
-double slow_wrap_positive(double angle)
+slow_real slow_wrap_positive(slow_real angle)
 {
-    const double wrapped = fmod(angle, 2.0 * pi);
-    return wrapped < 0.0 ? wrapped + 2.0 * pi : wrapped;
+    const slow_real wrapped = fmod(angle, 2.0 * SLOW_PI);
+    return wrapped < 0.0 ? wrapped + 2.0 * SLOW_PI : wrapped;
 }
 
 void slow_world_make(slow_world *world, const tdsp_journey *journey, const tdsp_disc *discs, size_t count)
 {
-    const tdsp_point from = journey->source, to = journey->destination;
-    double length = hypot(to.x - from.x, to.y - from.y);
+    const slow_real from_x = journey->source.x, from_y = journey->source.y;
+    const slow_real way_x = journey->destination.x - from_x, way_y = journey->destination.y - from_y;
+    slow_real length = hypot(way_x, way_y);
     if (length == 0.0) length = 1.0;
-    world->origin = from;
+    world->origin = journey->source;
     world->length = length;
     world->time = length / journey->speed;
-    world->to_x = (to.x - from.x) / length;
-    world->to_y = (to.y - from.y) / length;
+    world->to_x = way_x / length;
+    world->to_y = way_y / length;
     world->count = count;
     for (size_t i = 0; i < count; i++) {
-        world->discs[i].x = (discs[i].center.x - from.x) / length;
-        world->discs[i].y = (discs[i].center.y - from.y) / length;
-        world->discs[i].radius = (discs[i].radius + journey->radius) / length;
-        world->discs[i].rate = discs[i].growth / journey->speed;
+        world->discs[i].x = (discs[i].center.x - from_x) / length;
+        world->discs[i].y = (discs[i].center.y - from_y) / length;
+        world->discs[i].radius = ((slow_real)discs[i].radius + journey->radius) / length;
+        world->discs[i].rate = (slow_real)discs[i].growth / journey->speed;
     }
 }
 
-double slow_radius(const slow_disc *disc, double time)
+slow_real slow_radius(const slow_disc *disc, slow_real time)
 {
     return disc->radius + disc->rate * time;
 }
 
-double slow_clearance(const slow_disc *disc, double x, double y, double time)
+slow_real slow_clearance(const slow_disc *disc, slow_real x, slow_real y, slow_real time)
 {
     return hypot(x - disc->x, y - disc->y) - slow_radius(disc, time);
 }
 
-double slow_slack(const slow_disc *disc, double x, double y, double time)
+slow_real slow_slack(const slow_disc *disc, slow_real x, slow_real y, slow_real time)
 {
     return SLOW_ROUNDING + SLOW_TOUCH * (fabs(x) + fabs(y) + fabs(disc->x) + fabs(disc->y) + slow_radius(disc, time));
 }
 
-static int disc_clear(const slow_disc *disc, double x, double y, double time)
+static int disc_clear(const slow_disc *disc, slow_real x, slow_real y, slow_real time)
 {
     return slow_clearance(disc, x, y, time) >= -slow_slack(disc, x, y, time);
 }
 
-int slow_point_free(const slow_world *world, double x, double y, double time)
+int slow_point_free(const slow_world *world, slow_real x, slow_real y, slow_real time)
 {
     for (size_t i = 0; i < world->count; i++)
         if (!disc_clear(&world->discs[i], x, y, time)) return 0;
@@ -74,54 +73,54 @@ int slow_point_free(const slow_world *world, double x, double y, double time)
 }
 
 /* The clearance is convex along a line; it is least where the distance grows as fast as the radius. */
-static int disc_off_line(const slow_disc *disc, double x, double y, double heading, double time, double length)
+static int disc_off_line(const slow_disc *disc, slow_real x, slow_real y, slow_real heading, slow_real time, slow_real length)
 {
-    const double ux = cos(heading), uy = sin(heading), dx = disc->x - x, dy = disc->y - y, c = disc->rate;
+    const slow_real ux = cos(heading), uy = sin(heading), dx = disc->x - x, dy = disc->y - y, c = disc->rate;
     if (!disc_clear(disc, x, y, time)) return 0;
     if (!disc_clear(disc, x + length * ux, y + length * uy, time + length)) return 0;
     if (c >= 1.0) return 1;
-    const double foot = dx * ux + dy * uy, aside = fabs(dx * uy - dy * ux);
-    const double least = foot + aside * c / sqrt((1.0 - c) * (1.0 + c));
+    const slow_real foot = dx * ux + dy * uy, aside = fabs(dx * uy - dy * ux);
+    const slow_real least = foot + aside * c / sqrt((1.0 - c) * (1.0 + c));
     if (least <= 0.0 || least >= length) return 1;
     return disc_clear(disc, x + least * ux, y + least * uy, time + least);
 }
 
-int slow_line_free(const slow_world *world, double x, double y, double heading, double time, double length)
+int slow_line_free(const slow_world *world, slow_real x, slow_real y, slow_real heading, slow_real time, slow_real length)
 {
     for (size_t i = 0; i < world->count; i++)
         if (!disc_off_line(&world->discs[i], x, y, heading, time, length)) return 0;
     return 1;
 }
 
-int slow_tangent(const slow_disc *disc, int side, double x, double y, double time, double *heading, double *length)
+int slow_tangent(const slow_disc *disc, int side, slow_real x, slow_real y, slow_real time, slow_real *heading, slow_real *length)
 {
-    const double c = disc->rate, radius = slow_radius(disc, time), dx = disc->x - x, dy = disc->y - y, d = hypot(dx, dy);
+    const slow_real c = disc->rate, radius = slow_radius(disc, time), dx = disc->x - x, dy = disc->y - y, d = hypot(dx, dy);
     if (c >= 1.0 || (c == 0.0 && radius == 0.0)) return 0;
     if (d < radius - slow_slack(disc, x, y, time)) return 0;
-    const double s = sqrt((1.0 - c) * (1.0 + c));
-    const double far = d > radius ? sqrt((d - radius) * (d + radius)) / s : 0.0;
-    const double reached = radius + c * far;
+    const slow_real s = sqrt((1.0 - c) * (1.0 + c));
+    const slow_real far = d > radius ? sqrt((d - radius) * (d + radius)) / s : 0.0;
+    const slow_real reached = radius + c * far;
     *length = far;
     *heading = atan2(dy, dx) - side * atan2(s * reached, far - c * reached);
     return 1;
 }
 
-slow_moment slow_ride_at(const slow_world *world, const slow_ride *ride, double turned)
+slow_moment slow_ride_at(const slow_world *world, const slow_ride *ride, slow_real turned)
 {
     const slow_disc *disc = &world->discs[ride->disc];
-    const double c = disc->rate, s = sqrt((1.0 - c) * (1.0 + c)), start = slow_radius(disc, ride->time);
-    const double angle = ride->angle + ride->side * turned;
-    const double elapsed = c == 0.0 ? start * turned : start * expm1(turned * c / s) / c;
-    const double radius = start + c * elapsed;
+    const slow_real c = disc->rate, s = sqrt((1.0 - c) * (1.0 + c)), start = slow_radius(disc, ride->time);
+    const slow_real angle = ride->angle + ride->side * turned;
+    const slow_real elapsed = c == 0.0 ? start * turned : start * expm1(turned * c / s) / c;
+    const slow_real radius = start + c * elapsed;
     return (slow_moment){disc->x + radius * cos(angle), disc->y + radius * sin(angle), ride->time + elapsed,
                          angle + ride->side * atan2(s, c)};
 }
 
-double slow_ride_turned(const slow_world *world, const slow_ride *ride, double time)
+slow_real slow_ride_turned(const slow_world *world, const slow_ride *ride, slow_real time)
 {
     const slow_disc *disc = &world->discs[ride->disc];
-    const double c = disc->rate, s = sqrt((1.0 - c) * (1.0 + c)), start = slow_radius(disc, ride->time);
-    const double elapsed = time - ride->time;
+    const slow_real c = disc->rate, s = sqrt((1.0 - c) * (1.0 + c)), start = slow_radius(disc, ride->time);
+    const slow_real elapsed = time - ride->time;
     if (elapsed <= 0.0) return 0.0;
     return c == 0.0 ? elapsed / start : log1p(c * elapsed / start) * s / c;
 }

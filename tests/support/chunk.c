@@ -106,22 +106,23 @@ static int chunk_leg_solve(const chunk_world *w, uint32_t disc, int to_side, int
 {
     geom_pair pair = pair_make(w->motion.disc, &w->discs[disc]);
     geom_tangent tangent = tangent_make(&pair, w->motion.side, to_side, root);
-    double leave = w->motion.start, normal = 0.0;
+    double leave = w->motion.start;
+    geom_leg taken;
     if (disc == w->self || !disc_ridable(&w->discs[disc]) || !tangent_possible(&tangent)) return 0;
     if (w->self == INDEX_NONE) {
         double ends[4];
         if (!tangent_domain(&tangent, leave, leave, ends)) return 0;
-        out->heading = tangent_heading(&tangent, leave);
+        taken = (geom_leg){0.0, tangent_heading(&tangent, leave), tangent_length(&tangent, leave)};
     } else {
         if (!tangent_leave(&tangent, w->motion.angle, w->motion.start, w->motion.end, &leave)) return 0;
-        normal = tangent_normal(&tangent, ride_angle(&w->motion, leave), leave);
-        out->heading = disc_heading(w->motion.disc, w->motion.side, normal);
+        taken = tangent_leg(&tangent, ride_angle(&w->motion, leave), leave);
     }
     out->disc = disc;
     out->to_side = to_side;
     out->root = root;
-    out->length = tangent_length(&tangent, leave);
-    geom_line line = {disc_boundary(w->motion.disc, normal, leave), point_unit(out->heading), leave, out->length};
+    out->heading = taken.heading;
+    out->length = taken.length;
+    geom_line line = {disc_boundary(w->motion.disc, taken.normal, leave), point_unit(out->heading), leave, out->length};
     out->line = line;
     return out->length > NO_LENGTH;
 }

@@ -87,12 +87,10 @@ static void push(literal *self, const leg *added, uint32_t kind)
     assert_int_equal(tdsp_search_push(self->open, &label), TDSP_OK);
 }
 
-/* The tangent that is left at a time, for a rider at a normal. */
-static leg leg_at(const literal *self, size_t from, size_t to, const geom_tangent *tangent, double normal, double time)
+/* The tangent that is left at a time. */
+static leg leg_at(const literal *self, size_t from, size_t to, const geom_tangent *tangent, geom_leg taken, double time)
 {
-    const geom_disc *disc = &self->discs[from];
-    const double heading = from == self->count ? tangent_heading(tangent, time) : disc_heading(disc, tangent->side, normal);
-    const geom_line line = {disc_boundary(disc, normal, time), point_unit(heading), time, tangent_length(tangent, time)};
+    const geom_line line = {disc_boundary(&self->discs[from], taken.normal, time), point_unit(taken.heading), time, taken.length};
     return (leg){from, to, tangent->side, tangent->to_side, tangent->root, line};
 }
 
@@ -106,7 +104,8 @@ static void look_from_start(literal *self)
             double ends[4];
             if (k == self->count || !disc_ridable(&self->discs[k])) continue;
             if (tangent_domain(&tangent, self->start, self->start, ends) == 0) continue;
-            const leg added = leg_at(self, self->count, k, &tangent, 0.0, self->start);
+            const geom_leg taken = {0.0, tangent_heading(&tangent, self->start), tangent_length(&tangent, self->start)};
+            const leg added = leg_at(self, self->count, k, &tangent, taken, self->start);
             push(self, &added, LEAVING);
         }
     }
@@ -125,8 +124,7 @@ static void look_at_piece(literal *self, size_t on, const geom_ride *piece)
             const geom_tangent tangent = tangent_make(&pair, piece->side, q, root);
             double leave;
             if (!tangent_possible(&tangent) || !tangent_leave(&tangent, piece->angle, piece->start, piece->end, &leave)) continue;
-            const double normal = tangent_normal(&tangent, ride_angle(piece, leave), leave);
-            const leg added = leg_at(self, on, k, &tangent, normal, leave);
+            const leg added = leg_at(self, on, k, &tangent, tangent_leg(&tangent, ride_angle(piece, leave), leave), leave);
             push(self, &added, LEAVING);
         }
     }

@@ -5,6 +5,7 @@
  */
 #include "support/cmocka_all.h"
 
+#include "geom/contact.h"
 #include "geom/spiral.h"
 #include "geom/tangent.h"
 #include "support/chance.h"
@@ -312,6 +313,32 @@ static void a_rider_who_starts_at_the_departure_point_leaves_at_once(void **stat
     }
 }
 
+/*
+ * Just before one disc swallows another |k| is 1 but for rounding: sqrt(|D|^2 - K^2) was wrong by 1e-8 there, and with it the arrival. The tangent from the point that the
+ * rider leaves, L = sqrt(|O_j - P|^2 - R_j^2) / sin(theta_j), is not.
+ */
+static void a_leg_that_leaves_as_its_disc_is_swallowed_has_the_length_of_the_tangent(void **state)
+{
+    (void)state;
+    const geom_disc i = disc_make(point_make(0.75, 0.0), 0.125, 0.0056967725160056715), j = disc_make(point_make(0.25, 0.5), 0.125, 0.125);
+    const geom_pair pair = pair_make(&i, &j);
+    const geom_tangent tangent = tangent_make(&pair, 1, 1, 1);
+    double ends[4];
+    assert_int_equal(tangent_domain(&tangent, 5.0, 7.0, ends), 1);
+    for (double before = 1e-3; before > 1e-17; before *= 0.7) {
+        const double met = ends[1] - before, start = met - 1e-3;
+        const double angle = tangent_heading(&tangent, met) - i.theta - spiral_angle(&i, start, met);
+        const geom_ride ride = {&i, 1, angle, start, ends[1]};
+        double leave;
+        assert_true(tangent_leave(&tangent, angle, start, ends[1], &leave));
+        const geom_leg leg = tangent_leg(&tangent, ride_angle(&ride, leave), leave);
+        const double away = point_distance(disc_boundary(&i, leg.normal, leave), j.center), radius = disc_radius(&j, leave);
+        const double expected = sqrt((away - radius) * (away + radius)) / j.sine;
+        /* In the slack of the domain's end the legs taken are those of the very end. */
+        assert_near(leg.length, expected, before > 1e-12 ? 1e-13 : 1e-11);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -321,6 +348,7 @@ int main(void)
         cmocka_unit_test(concentric_discs_are_left_at_one_moment_from_every_angle),
         cmocka_unit_test(concentric_discs_of_one_rate_have_no_leg),
         cmocka_unit_test(same_rate_and_side_keep_heading_and_length_for_ever),
+        cmocka_unit_test(a_leg_that_leaves_as_its_disc_is_swallowed_has_the_length_of_the_tangent),
         cmocka_unit_test(a_rider_who_starts_at_the_departure_point_leaves_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

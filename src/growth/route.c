@@ -148,7 +148,7 @@ static void path_finish(const growth_solver *self, const scene_ends *ends, doubl
         leg->from = at;
         leg->start_time = now;
         leg->to = at = is_last ? ends->given.destination : scene_place(scene, leg->to);
-        leg->end_time = now = is_last ? arrival : fmax(now, departure + (leg->end_time - start) * scene->time);
+        leg->end_time = now = is_last ? arrival : fmin(fmax(now, departure + (leg->end_time - start) * scene->time), arrival);
         leg_to_user(scene, leg, leg->disc == TDSP_NO_DISC ? at : scene->discs[leg->disc].center);
     }
 }

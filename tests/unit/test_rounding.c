@@ -1,0 +1,59 @@
+/* Answers in scenes in which rounding used to show, beside what tests/slow/precise.h says of them. */
+#include "support/cmocka_all.h"
+
+#include "support/assert.h"
+#include "support/world.h"
+#include "tdsp/path.h"
+
+/*
+ * Between a ride on disc 8 and one on disc 5 a ride on disc 1 shrinks to nothing, as disc 5 swallows disc 1. T seemed 1.1e-8 longer than it is there, and fell
+ * by as much where that ride ended.
+ */
+static void a_ride_that_vanishes_as_its_disc_is_swallowed_costs_nothing(void **state)
+{
+    (void)state;
+    static const tdsp_disc discs[] = {
+        {{0.75, 0}, 0.125, 0.0056967725160056715}, {{0, -0.5}, 0.125, 0.0056967725160056715}, {{0.25, -0.25}, 0.125, 0.0056967725160056715},
+        {{0, 0}, 0.125, 0.0056967725160056715},    {{0.25, 0.5}, 0.125, 0.125},               {{-0.25, 0.5}, 0.125, 0.125},
+        {{-0.25, 0}, 0.125, 0.125},                {{-0.5, -0.25}, 0.125, 0.125},
+    };
+    static const double expected[][2] = {{3.1064164353669197, 3.0077156201374677185}, {3.1064174343669197, 3.0077159806751517014},
+                                         {3.1064174353669198, 3.0077159810360511723}, {3.1064174354669198, 3.0077159810721411197},
+                                         {3.1064174356669199, 3.0077159811443210146}, {3.1064174453669198, 3.0077159846450455928}};
+    world w = world_make((tdsp_journey){1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}}, discs, sizeof discs / sizeof *discs);
+    for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+        double arrival;
+        assert_int_equal(tdsp_earliest_arrival(w.solver, expected[i][0], &arrival), TDSP_OK);
+        assert_near(arrival - expected[i][0], expected[i][1], 1e-13);
+    }
+    world_free(w);
+}
+
+/*
+ * An arrival that is late by no more than a touch counts as the moment in which the destination is covered. After 4e8 journeys a touch is some
+ * 1e-5 of time, and the last leg began after its end.
+ */
+static void no_leg_ends_before_it_begins_where_the_arrival_is_a_touch_late(void **state)
+{
+    (void)state;
+    static const tdsp_disc disc = {{0.58263844054014291, -0.36885568616643244}, 0.12524994908990919, 1e-9};
+    world w = world_make((tdsp_journey){1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}}, &disc, 1);
+    tdsp_leg legs[8];
+    size_t count;
+    double arrival;
+    assert_int_equal(tdsp_earliest_arrival(w.solver, 431746627.40845716, &arrival), TDSP_OK);
+    assert_int_equal(tdsp_solver_path(w.solver, legs, 8, &count), TDSP_OK);
+    assert_exact(arrival, tdsp_scene_destination_free_until(w.scene, NULL));
+    for (size_t i = 0; i < count; i++) assert_true(legs[i].start_time <= legs[i].end_time);
+    assert_exact(legs[count - 1].end_time, arrival);
+    world_free(w);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ride_that_vanishes_as_its_disc_is_swallowed_costs_nothing),
+        cmocka_unit_test(no_leg_ends_before_it_begins_where_the_arrival_is_a_touch_late),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -2,6 +2,7 @@
 #ifndef SUPPORT_CHANCE_H
 #define SUPPORT_CHANCE_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 static inline uint64_t chance_u64(uint64_t *state)
@@ -24,9 +25,9 @@ static inline double chance_between(uint64_t *state, double low, double high)
 }
 
 /* Below count. */
-static inline uint64_t chance_below(uint64_t *state, uint64_t count)
+static inline size_t chance_below(uint64_t *state, size_t count)
 {
-    return chance_u64(state) % count;
+    return (size_t)(chance_u64(state) % count);
 }
 
 #endif

@@ -18,7 +18,7 @@ static int chance(uint64_t *r, double share)
 
 static int chance_index(uint64_t *r, int limit)
 {
-    return (int)chance_below(r, (uint64_t)limit);
+    return (int)chance_below(r, (size_t)limit);
 }
 
 static tdsp_disc disc_at(double x, double y, double radius, double growth)

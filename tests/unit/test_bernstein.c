@@ -11,7 +11,7 @@ typedef struct powers {
 
 static powers random_powers(uint64_t *chance, int most)
 {
-    powers p = {(int)chance_below(chance, (uint64_t)most + 1), {0}};
+    powers p = {(int)chance_below(chance, (size_t)most + 1), {0}};
     for (int k = 0; k <= p.degree; k++) p.c[k] = chance_between(chance, -1, 1);
     return p;
 }

@@ -95,7 +95,7 @@ static void check_legs(branch *b, uint64_t *chance)
         int pieces = tangent_domain(&tangent, 0.0, 2.0, ends);
         if (!tangent_possible(&tangent)) assert_int_equal(pieces, 0);
         for (int k = 0; k < 20 && pieces; ++k) {
-            int piece = (int)chance_below(chance, (uint64_t)pieces);
+            int piece = (int)chance_below(chance, (size_t)pieces);
             double time = chance_between(chance, ends[2 * piece], ends[2 * piece + 1]);
             double heading = tangent_heading(&tangent, time), length = tangent_length(&tangent, time);
             trial t = trial_leave(b, heading - b->side * b->i.theta, time);

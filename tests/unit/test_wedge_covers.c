@@ -47,7 +47,7 @@ static void check_limit(chunk_world *w, uint64_t *chance)
     double limit = w->motion.start + away * chance_between(chance, 0.8, 1.6);
     int sectors = chunk_sectors(w);
     for (int k = 0; k < 200; ++k) {
-        look_wedge wedge = chunk_wedge(w, (int)chance_below(chance, (uint64_t)sectors));
+        look_wedge wedge = chunk_wedge(w, (int)chance_below(chance, (size_t)sectors));
         wedge_set_limit(&wedge, goal, limit);
         double length = chance_between(chance, 0.0, 2.0) * away, x = chance_between(chance, -1.0, 1.0) * wedge.half_angle;
         geom_line ray = chunk_ray(w, &wedge, x, length);

@@ -45,6 +45,7 @@ has_library() { has_command pkg-config && pkg-config --exists "$1"; }
 # Asked for by name where it can be: trying to compile reports the header whatever its version.
 has_cmocka() { has_library cmocka; }
 has_cross() { c_program | compiles "$1-linux-gnu-gcc" c; }
+has_cross_hf() { c_program | compiles "$1-linux-gnueabihf-gcc" c; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
 need gcc has_gcc
@@ -79,6 +80,8 @@ fi
 if [ "$tier" = trust ]; then
     need frama-c-base has_command frama-c
     need afl++ has_command afl-fuzz
+    need gcc-arm-linux-gnueabihf has_cross_hf arm
+    need libc6-dev-armhf-cross has_cross_hf arm
 fi
 
 [ ${#missing[@]} -eq 0 ] && exit 0

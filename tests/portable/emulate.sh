@@ -1,0 +1,7 @@
+#!/bin/bash
+# Run a program in the emulator named by EMULATOR; a script by its interpreter, on this machine.
+#   emulate.sh PROGRAM|INTERPRETER [ARGUMENT]...
+case $1 in
+*/*) exec $EMULATOR "$@" ;;
+*) exec "$@" ;;
+esac

@@ -25,6 +25,7 @@ static double disc_radius(const nearby_disc *disc, double time)
     return disc->radius + disc->growth * time;
 }
 
+/* The first of equal ones stays: evaluate in order of time, in statements of their own, or the compiler chooses which it is. */
 static double pass_evaluate(pass *p, const nearby_disc *disc, double elapsed)
 {
     clearance *least = p->least;
@@ -84,8 +85,8 @@ static void arc_clear(pass *p, const nearby_disc *disc)
 {
     part stack[STACK_PARTS];
     size_t open = 0;
-    const double whole = p->m->duration;
-    stack[open++] = (part){0.0, whole, pass_evaluate(p, disc, 0.0), pass_evaluate(p, disc, whole)};
+    const double whole = p->m->duration, start = pass_evaluate(p, disc, 0.0), end = pass_evaluate(p, disc, whole);
+    stack[open++] = (part){0.0, whole, start, end};
     for (int evaluations = 0; open > 0; evaluations++) {
         const part q = stack[--open];
         if (part_settled(p, disc, &q, evaluations < CHEAP_EVALUATIONS ? p->least->fine : p->least->coarse)) continue;
@@ -129,8 +130,8 @@ static void disc_clear(void *ctx, const nearby_disc *disc)
         line_clear(p, disc);
     } else if (apart <= p->least->fine) {
         /* Around the common centre f is linear; each distance differs from that by no more than the centres do. */
-        const double ends = fmin(pass_evaluate(p, disc, 0.0), pass_evaluate(p, disc, m->duration));
-        p->least->bound = fmin(p->least->bound, ends - 2.0 * apart);
+        const double start = pass_evaluate(p, disc, 0.0), end = pass_evaluate(p, disc, m->duration);
+        p->least->bound = fmin(p->least->bound, fmin(start, end) - 2.0 * apart);
     } else {
         arc_clear(p, disc);
     }

@@ -91,7 +91,8 @@ static void part_clear(const stretch *s, const part *q, int *evaluations, int de
 static void stretch_beside(const stretch *s, double from, double to)
 {
     int evaluations = 0;
-    const part whole = {from, to, stretch_evaluate(s, from), stretch_evaluate(s, to), stretch_radius(s, from, to)};
+    const double start = stretch_evaluate(s, from), end = stretch_evaluate(s, to); /* in order: the first of equal ones is told */
+    const part whole = {from, to, start, end, stretch_radius(s, from, to)};
     part_clear(s, &whole, &evaluations, 0);
 }
 

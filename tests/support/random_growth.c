@@ -109,13 +109,15 @@ static void make_bump(maker *m, tdsp_growing_disc *disc, int up, int down, doubl
 static void make_concave(maker *m, tdsp_growing_disc *disc)
 {
     const double span = chance(m->r, 0.7) ? chance_between(m->r, SPAN, 3.0 * SPAN) : chance_between(m->r, 0.4 * SPAN, SPAN);
-    make_bump(m, disc, 0, 1 + (int)chance_below(m->r, 7), span, peak_rate(m->r));
+    const double peak = peak_rate(m->r);
+    make_bump(m, disc, 0, 1 + (int)chance_below(m->r, 7), span, peak);
 }
 
 static void make_s_shaped(maker *m, tdsp_growing_disc *disc)
 {
     const int up = 1 + (int)chance_below(m->r, 4), down = 1 + (int)chance_below(m->r, 3);
-    make_bump(m, disc, up, down, SPAN * chance_between(m->r, 0.5, 1.8), peak_rate(m->r));
+    const double peak = peak_rate(m->r);
+    make_bump(m, disc, up, down, SPAN * chance_between(m->r, 0.5, 1.8), peak);
 }
 
 static void make_wavy(maker *m, tdsp_growing_disc *disc)
@@ -142,7 +144,8 @@ static void make_nearly_one_rate(maker *m, tdsp_growing_disc *disc)
     static const double sizes[] = {1e-14, 1e-10, 1e-7, 1e-4, 1e-2};
     rate_powers p = {{0.02 + slow_rate(m->r)}};
     const size_t power = 1 + (size_t)chance_below(m->r, 4);
-    double size = sizes[chance_below(m->r, 5)] * p.c[0] * (chance(m->r, 0.5) ? 1.0 : -1.0);
+    double size = sizes[chance_below(m->r, 5)] * p.c[0];
+    if (!chance(m->r, 0.5)) size = -size;
     for (size_t k = 0; k < power; k++) size /= SPAN;
     p.c[power] = size;
     grow_by_powers(m, disc, &p);
@@ -181,7 +184,8 @@ static void make_ripples(maker *m, tdsp_growing_disc *disc)
     for (size_t k = 0; k < GROWTH_MOST_VALUES; k++) {
         values[k] = rate;
         times[k] = time;
-        rate += sizes[chance_below(m->r, 8)] * chance_between(m->r, -1.0, 1.0);
+        const double size = sizes[chance_below(m->r, 8)];
+        rate += size * chance_between(m->r, -1.0, 1.0);
         time += chance_between(m->r, 0.05, 0.8);
     }
     disc->growth = (tdsp_growth){.kind = TDSP_GROWTH_RATES, .count = GROWTH_MOST_VALUES, .values = values, .times = times};
@@ -200,12 +204,14 @@ static void make_two_rates(maker *m, tdsp_growing_disc *disc, double first, doub
 static void make_delayed(maker *m, tdsp_growing_disc *disc)
 {
     if (chance(m->r, 0.5)) disc->radius = 0.0;
-    make_two_rates(m, disc, 0.0, peak_rate(m->r), chance_between(m->r, 0.1, 3.0));
+    const double change = chance_between(m->r, 0.1, 3.0);
+    make_two_rates(m, disc, 0.0, peak_rate(m->r), change);
 }
 
 static void make_capped(maker *m, tdsp_growing_disc *disc)
 {
-    make_two_rates(m, disc, peak_rate(m->r), 0.0, chance_between(m->r, 0.1, 3.0));
+    const double change = chance_between(m->r, 0.1, 3.0);
+    make_two_rates(m, disc, peak_rate(m->r), 0.0, change);
 }
 
 /* A part that begins at b and comes near its share S of the radius in a span w: S x / (1 + x), or S x^2 / (1 + x^2) where it begins gently. */
@@ -244,7 +250,8 @@ static void make_parts(maker *m, tdsp_growing_disc *disc, int sharp, double span
 
 static void make_by_law(maker *m, tdsp_growing_disc *disc)
 {
-    make_parts(m, disc, chance(m->r, 0.5), 2.0, chance(m->r, 0.5) ? 0.0 : chance_between(m->r, 0.3, 2.0));
+    const double begin = chance(m->r, 0.5) ? 0.0 : chance_between(m->r, 0.3, 2.0);
+    make_parts(m, disc, chance(m->r, 0.5), 2.0, begin);
 }
 
 /* The rate rises and falls while the robot is on its way: riders leave a disc and come back to it. */
@@ -324,10 +331,16 @@ static int covers(const maker *m, const tdsp_growing_disc *disc, tdsp_point poin
     return sqrt(dx * dx + dy * dy) < grown_radius(disc, time) + m->scene->journey.radius;
 }
 
+static tdsp_point random_place(uint64_t *r, double width, double height)
+{
+    const double x = chance_between(r, -width, width), y = chance_between(r, -height, height);
+    return (tdsp_point){x, y};
+}
+
 static void choose_place(maker *m, grown_mix mix, tdsp_growing_disc *disc)
 {
     const double count = (double)m->scene->count;
-    disc->center = (tdsp_point){chance_between(m->r, -0.9, 0.9), chance_between(m->r, -0.6, 0.6)};
+    disc->center = random_place(m->r, 0.9, 0.6);
     disc->radius = chance_between(m->r, 0.03, 0.5) / sqrt(count);
     if (chance(m->r, 0.15)) disc->radius = 0.0;
     if (mix == GROWTH_MIX_CLUSTER) {
@@ -337,17 +350,17 @@ static void choose_place(maker *m, grown_mix mix, tdsp_growing_disc *disc)
     }
     if (m->i == 0 && mix != GROWTH_MIX_STEEP && chance(m->r, mix == GROWTH_MIX_BOUNCING ? 1.0 : 0.4)) {
         /* A large one in the way is ridden for long. */
-        disc->center = (tdsp_point){chance_between(m->r, -0.3, 0.3), chance_between(m->r, -0.15, 0.15)};
+        disc->center = random_place(m->r, 0.3, 0.15);
         disc->radius = chance_between(m->r, 0.2, mix == GROWTH_MIX_BOUNCING ? 0.7 : 0.5);
     }
     if (mix == GROWTH_MIX_STEEP) {
-        disc->center = (tdsp_point){chance_between(m->r, -2.0, 2.0), chance_between(m->r, -2.0, 2.0)};
+        disc->center = random_place(m->r, 2.0, 2.0);
         disc->radius *= 0.3;
     }
     if (mix == GROWTH_MIX_WALL) {
         const double step = 1.6 / count;
-        disc->center =
-            (tdsp_point){chance_between(m->r, -0.1, 0.1), -0.8 + step * ((double)m->i + chance_between(m->r, 0.3, 0.7))};
+        const double x = chance_between(m->r, -0.1, 0.1);
+        disc->center = (tdsp_point){x, -0.8 + step * ((double)m->i + chance_between(m->r, 0.3, 0.7))};
         disc->radius = step * chance_between(m->r, 0.1, 0.35);
     }
 }
@@ -382,11 +395,11 @@ void random_growth(uint64_t seed, grown_mix mix, size_t count, grown_scene *scen
     }
     for (m.i = 0; m.i < count; m.i++) make_disc(&m, mix);
     if (chance(&r, 0.2)) return;
-    const grown_change change = {random_direction(&r),
-                                 {chance_between(&r, -5.0, 5.0), chance_between(&r, -5.0, 5.0)},
-                                 chance_between(&r, 0.5, 20.0),
-                                 chance_between(&r, 0.3, 10.0),
-                                 0};
+    grown_change change = {0};
+    change.turn = random_direction(&r);
+    change.shift = random_place(&r, 5.0, 5.0);
+    change.length = chance_between(&r, 0.5, 20.0);
+    change.time = chance_between(&r, 0.3, 10.0);
     grown_place(scene, &change);
 }
 

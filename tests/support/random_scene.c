@@ -121,7 +121,8 @@ static tdsp_disc make_cluster(maker *m)
 {
     const tdsp_point to = random_direction(m->r);
     const double away = chance_between(m->r, 0.0, 0.35);
-    return disc_at(away * to.x, away * to.y, chance_between(m->r, 0.08, 0.3), chance(m->r, 0.5) ? m->rate : any_rate(m->r));
+    const double rate = chance(m->r, 0.5) ? m->rate : any_rate(m->r);
+    return disc_at(away * to.x, away * to.y, chance_between(m->r, 0.08, 0.3), rate);
 }
 
 static tdsp_disc make_nested(maker *m)
@@ -130,8 +131,8 @@ static tdsp_disc make_nested(maker *m)
     const tdsp_disc outer = m->discs[m->i - 1];
     const tdsp_point to = random_direction(m->r);
     const double away = outer.radius * chance_between(m->r, 0.0, 0.6);
-    return disc_at(outer.center.x + away * to.x, outer.center.y + away * to.y,
-                   (outer.radius - away) * chance_between(m->r, 0.1, 1.0), any_rate(m->r));
+    const double rate = any_rate(m->r), radius = (outer.radius - away) * chance_between(m->r, 0.1, 1.0);
+    return disc_at(outer.center.x + away * to.x, outer.center.y + away * to.y, radius, rate);
 }
 
 static tdsp_disc make_concentric(maker *m)
@@ -157,8 +158,8 @@ static tdsp_disc make_touching(maker *m)
 static tdsp_disc wall_disc(maker *m, double x, size_t place, size_t places)
 {
     const double step = 1.6 / (double)places, y = -0.8 + step * ((double)place + chance_between(m->r, 0.3, 0.7));
-    return disc_at(x, y, step * chance_between(m->r, 0.15, 0.45),
-                   chance(m->r, 0.5) ? m->rate * 0.3 : chance_between(m->r, 0.0, 0.2));
+    const double rate = chance(m->r, 0.5) ? m->rate * 0.3 : chance_between(m->r, 0.0, 0.2);
+    return disc_at(x, y, step * chance_between(m->r, 0.15, 0.45), rate);
 }
 
 static tdsp_disc make_wall(maker *m)
@@ -173,21 +174,23 @@ static tdsp_disc make_two_walls(maker *m)
 
 static tdsp_disc make_emerging(maker *m)
 {
-    if (m->i % 2 == 0)
-        return disc_at(chance_between(m->r, -0.4, 0.4), chance_between(m->r, -0.3, 0.3), chance_between(m->r, 0.1, 0.4),
-                       chance_between(m->r, 0.0, 0.2));
+    if (m->i % 2 == 0) {
+        const double rate = chance_between(m->r, 0.0, 0.2), radius = chance_between(m->r, 0.1, 0.4), y = chance_between(m->r, -0.3, 0.3);
+        return disc_at(chance_between(m->r, -0.4, 0.4), y, radius, rate);
+    }
     const tdsp_disc slow = m->discs[m->i - 1];
     const tdsp_point to = random_direction(m->r);
     const double away = slow.radius * chance_between(m->r, 0.0, 0.9), room = slow.radius - away;
-    return disc_at(slow.center.x + away * to.x, slow.center.y + away * to.y, room * chance_between(m->r, 0.0, 1.0),
-                   slow.growth + chance_between(m->r, 0.02, 0.4));
+    const double rate = slow.growth + chance_between(m->r, 0.02, 0.4);
+    return disc_at(slow.center.x + away * to.x, slow.center.y + away * to.y, room * chance_between(m->r, 0.0, 1.0), rate);
 }
 
 static tdsp_disc make_swallowed(maker *m)
 {
-    if (m->i == 0)
-        return disc_at(chance_between(m->r, -0.2, 0.2), chance_between(m->r, -0.1, 0.1), chance_between(m->r, 0.05, 0.3),
-                       chance_between(m->r, 0.1, 0.6));
+    if (m->i == 0) {
+        const double rate = chance_between(m->r, 0.1, 0.6), radius = chance_between(m->r, 0.05, 0.3), y = chance_between(m->r, -0.1, 0.1);
+        return disc_at(chance_between(m->r, -0.2, 0.2), y, radius, rate);
+    }
     const tdsp_disc fast = m->discs[0];
     const tdsp_point to = random_direction(m->r);
     const double radius = fast.radius * chance_between(m->r, 0.005, 0.3),
@@ -224,18 +227,20 @@ static tdsp_disc make_on_destination(maker *m)
 static tdsp_disc make_collinear(maker *m)
 {
     const double cell = 0.25;
-    if (chance(m->r, 0.5))
-        return disc_at(cell * (double)(chance_index(m->r, 7) - 3), 0.0, 0.125 * (1 + chance_index(m->r, 2)), m->rate);
-    return disc_at(cell * (double)(chance_index(m->r, 7) - 3), cell * (double)(chance_index(m->r, 5) - 2), 0.125,
-                   chance(m->r, 0.5) ? m->rate : 0.125);
+    if (chance(m->r, 0.5)) {
+        const double radius = 0.125 * (1 + chance_index(m->r, 2));
+        return disc_at(cell * (double)(chance_index(m->r, 7) - 3), 0.0, radius, m->rate);
+    }
+    const double rate = chance(m->r, 0.5) ? m->rate : 0.125, y = cell * (double)(chance_index(m->r, 5) - 2);
+    return disc_at(cell * (double)(chance_index(m->r, 7) - 3), y, 0.125, rate);
 }
 
 static tdsp_disc ring_disc(maker *m, tdsp_point middle)
 {
     static const double corners[][2] = {{1, 0}, {0.5, 0.866}, {-0.5, 0.866}, {-1, 0}, {-0.5, -0.866}, {0.5, -0.866}};
     const double *to = corners[m->i % 6], away = 0.35 + 0.3 * (double)(m->i / 6);
-    return disc_at(middle.x + away * to[0], middle.y + away * to[1], away * chance_between(m->r, 0.3, 0.49),
-                   chance_between(m->r, 0.0, 0.15));
+    const double rate = chance_between(m->r, 0.0, 0.15);
+    return disc_at(middle.x + away * to[0], middle.y + away * to[1], away * chance_between(m->r, 0.3, 0.49), rate);
 }
 
 static tdsp_disc make_prison(maker *m)
@@ -315,8 +320,10 @@ static placement choose_placement(uint64_t *r, random_mix mix)
     p.scale = chance_between(r, 1.0, 20.0);
     if (mix == RANDOM_LARGE_UNITS) p.scale *= 1e6;
     if (mix == RANDOM_SMALL_UNITS) p.scale *= 1e-3;
-    if (mix == RANDOM_FAR_ORIGIN)
-        p.shift = (tdsp_point){p.scale * chance_between(r, -1e3, 1e3), p.scale * chance_between(r, -1e3, 1e3)};
+    if (mix == RANDOM_FAR_ORIGIN) {
+        p.shift.x = p.scale * chance_between(r, -1e3, 1e3);
+        p.shift.y = p.scale * chance_between(r, -1e3, 1e3);
+    }
     return p;
 }
 

@@ -56,6 +56,18 @@ static inline double point_distance(tdsp_point a, tdsp_point b)
     return point_length(point_sub(a, b));
 }
 
+/* Below this the square of a length loses bits, or all of them. The scale is a power of two, so that nothing is rounded twice. */
+#define POINT_TINY 1e-140
+#define POINT_SCALE 0x1p600
+
+/* The same where lengths are in a scene's own unit, and so may be that small; to the bit the same where they are not. */
+static inline double point_distance_in_scene(tdsp_point a, tdsp_point b)
+{
+    tdsp_point between = point_sub(a, b);
+    if (fabs(between.x) > POINT_TINY || fabs(between.y) > POINT_TINY) return point_length(between);
+    return point_length(point_scale(POINT_SCALE, between)) / POINT_SCALE;
+}
+
 /* The unit vector in a direction. */
 static inline tdsp_point point_unit(double angle)
 {

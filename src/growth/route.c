@@ -126,8 +126,8 @@ static void leg_to_user(const tdsp_scene *scene, tdsp_leg *leg, tdsp_point cente
     double speed = scene->journey.speed, bend = speed / scene->time;
     if (leg->kind == TDSP_LEG_LINE) return;
     leg->center = center;
-    leg->radius_from = point_distance(leg->from, center);
-    leg->radius_to = point_distance(leg->to, center);
+    leg->radius_from = point_distance_in_scene(leg->from, center);
+    leg->radius_to = point_distance_in_scene(leg->to, center);
     leg->angle_from = atan2(leg->from.y - center.y, leg->from.x - center.x);
     leg->rate_from *= speed;
     leg->rate_to *= speed;

@@ -123,7 +123,7 @@ scene_cover scene_law_cover(const tdsp_scene *scene, tdsp_point place)
 {
     scene_cover cover = {INFINITY, TDSP_NO_DISC};
     for (uint32_t i = 0; i < scene->count; ++i) {
-        double reach = point_distance(place, scene->discs[i].center) - scene->journey.radius;
+        double reach = point_distance_in_scene(place, scene->discs[i].center) - scene->journey.radius;
         if (cover.time >= 0.0 && !isinf(cover.time) && disc_jet(scene, i, cover.time).radius < reach) continue;
         geom_law law = scene_law(scene, i);
         double until = law_within_until(&law, reach);

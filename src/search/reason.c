@@ -1,6 +1,7 @@
 /* Why there is no way: the rule is in reason.h. */
 #include "search/reason.h"
 
+#include "scene/growth.h"
 #include "tdsp/growth.h"
 
 /* A search for the reason ends at this many times the times at hand: departure, cover of the destination, and journey. */
@@ -55,18 +56,38 @@ static double size_met(const tdsp_solver *solver, uint32_t disc, double time)
     return fmax(low - journey->radius, 0.0);
 }
 
+/*
+ * A disc may have grown past what a scene takes for a radius, though not past the end that it leaves free, at most 2 sqrt(2) times as far away: everything
+ * a quarter as large is the same question, and a scene.
+ */
+#define SMALLER 0.25
+
+static tdsp_point scaled(tdsp_point p, double scale)
+{
+    return point_make(scale * p.x, scale * p.y);
+}
+
+/* The discs with their sizes for a time; 0 where one is too large for a scene. */
+static int discs_of(const tdsp_solver *solver, disc_size size, double time, double scale, tdsp_disc *discs)
+{
+    int fit = 1;
+    for (size_t i = 0; i < solver->scene->count; ++i) {
+        discs[i] = (tdsp_disc){scaled(solver->scene->discs[i].center, scale), scale * size(solver, (uint32_t)i, time), 0.0};
+        fit &= discs[i].radius <= GROWTH_LARGEST;
+    }
+    return fit;
+}
+
 /* The discs with their sizes for a time, as a scene of their own. */
 static tdsp_status scene_of(const tdsp_solver *solver, disc_size size, double time, tdsp_scene **still)
 {
     const tdsp_scene *scene = solver->scene;
-    const tdsp_journey journey = {scene->journey.speed, scene->journey.radius, solver->ends.given.source, solver->ends.given.destination};
+    const tdsp_ends *ends = &solver->ends.given;
     tdsp_disc *discs = memory_array(&scene->allocator, scene->count, sizeof *discs);
     if (!discs) return TDSP_NO_MEMORY;
-    for (size_t i = 0; i < scene->count; ++i) {
-        discs[i] = scene->discs[i];
-        discs[i].radius = size(solver, (uint32_t)i, time);
-        discs[i].growth = 0.0;
-    }
+    double scale = discs_of(solver, size, time, 1.0, discs) ? 1.0 : SMALLER;
+    if (scale < 1.0) (void)discs_of(solver, size, time, scale, discs);
+    const tdsp_journey journey = {scene->journey.speed, scale * scene->journey.radius, scaled(ends->source, scale), scaled(ends->destination, scale)};
     tdsp_status status = tdsp_scene_create(&journey, discs, scene->count, &scene->allocator, still);
     memory_free(&scene->allocator, discs, scene->count * sizeof *discs);
     return status;

@@ -98,8 +98,8 @@ static void path_finish(tdsp_solver *solver, double departure, double arrival)
         if (leg->kind != TDSP_LEG_ARC) continue;
         const tdsp_disc *disc = &scene->discs[leg->disc];
         leg->center = disc->center;
-        leg->radius_from = point_distance(leg->from, leg->center);
-        leg->radius_to = point_distance(leg->to, leg->center);
+        leg->radius_from = point_distance_in_scene(leg->from, leg->center);
+        leg->radius_to = point_distance_in_scene(leg->to, leg->center);
         leg->angle_from = leg_angle(leg);
     }
 }

@@ -90,7 +90,9 @@ gboolean build_asked_fail(const BuildAsked *asked, const SceneFile *scene, tdsp_
         return cli_fail(error, CLI_USAGE, "the guarantee needs more than %u rows: ask for a weaker one%s", TDSP_MAX_ROWS,
                         isinf(asked->options.horizon) ? "" : ", or a nearer --horizon");
     case TDSP_NOT_SUPPORTED:
-        return cli_fail(error, CLI_USAGE, "--sampling geometric needs a journey that takes time: source and destination are one");
+        if (asked->options.sampling == TDSP_SAMPLING_GEOMETRIC)
+            return cli_fail(error, CLI_USAGE, "--sampling geometric needs a journey that takes time: source and destination are one");
+        return cli_fail(error, CLI_USAGE, "%s: departures reach too many journeys away: end them with a nearer --horizon", scene->file);
     default: return scene_file_fail(scene, "build", status, error);
     }
 }

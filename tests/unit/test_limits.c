@@ -170,6 +170,21 @@ static void numbers_out_of_range_are_refused(void **state)
     }
 }
 
+/* Which of two moments that are as close was left to the order in which the compiler evaluates arguments. */
+static void of_equal_clearances_the_first_is_told_whatever_the_compiler(void **state)
+{
+    (void)state;
+    const tdsp_disc disc = {{0.0, 0.0}, 1.0, 0.0};
+    const double quarter = asin(1.0);
+    const tdsp_leg ride = {.kind = TDSP_LEG_ARC, .turn = 1, .start_time = 1.0, .end_time = 1.0 + quarter, .from = {1.0, 0.0}, .to = {0.0, 1.0},
+                           .radius_from = 1.0, .radius_to = 1.0, .sweep = quarter};
+    world w = world_make(plain, &disc, 1);
+    tdsp_verdict verdict;
+    assert_int_equal(tdsp_verify_path(w.scene, &ride, 1, 1.0, ride.end_time, &verdict), TDSP_OK);
+    assert_true(verdict.min_clearance == 0.0 && verdict.time == 1.0);
+    world_free(w);
+}
+
 /* What bounds the rows of a table is asked for, and ends the building when it is passed. */
 static void the_rows_asked_for_at_most_end_the_building(void **state)
 {
@@ -202,6 +217,7 @@ int main(void)
         cmocka_unit_test(times_too_far_away_are_refused_at_once),
         cmocka_unit_test(counts_beyond_memory_are_refused_before_anything_is_read),
         cmocka_unit_test(numbers_out_of_range_are_refused),
+        cmocka_unit_test(of_equal_clearances_the_first_is_told_whatever_the_compiler),
         cmocka_unit_test(the_rows_asked_for_at_most_end_the_building),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

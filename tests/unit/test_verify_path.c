@@ -172,15 +172,6 @@ static void a_ride_on_a_disc_has_clearance_0(void **state)
     }
 }
 
-static void of_equal_clearances_the_first_is_told_whatever_the_compiler(void **state)
-{
-    (void)state;
-    const tdsp_disc disc = {{0.0, 0.0}, 1.0, 0.0};
-    const tdsp_leg leg = ride(&disc, 1.0, asin(1.0), 0.0, 1);
-    const tdsp_verdict verdict = verdict_of_ride(&disc, &leg);
-    assert_true(verdict.min_clearance == 0.0 && verdict.time == 1.0);
-}
-
 static void a_ride_moved_earlier_is_accepted_and_moved_later_it_is_not(void **state)
 {
     (void)state;
@@ -480,7 +471,6 @@ int main(void)
         cmocka_unit_test(the_clearance_of_a_line_is_the_sampled_one),
         cmocka_unit_test(the_clearance_of_an_arc_is_the_sampled_one),
         cmocka_unit_test(a_ride_on_a_disc_has_clearance_0),
-        cmocka_unit_test(of_equal_clearances_the_first_is_told_whatever_the_compiler),
         cmocka_unit_test(a_ride_moved_earlier_is_accepted_and_moved_later_it_is_not),
         cmocka_unit_test(a_ride_that_grazes_another_disc_from_inside_a_gap_is_judged_at_the_graze),
         cmocka_unit_test(creeping_along_a_disc_around_nearly_the_same_centre_is_bounded_and_accepted),

@@ -1,0 +1,19 @@
+#!/bin/bash
+# Run the threads' jobs, and see that the sanitizer would have found a race.
+#   check.sh PROGRAM ROUNDS
+set -uo pipefail
+
+export TSAN_OPTIONS="exitcode=66 halt_on_error=0"
+"$1" "$2"
+status=$?
+if [ $status -eq 66 ]; then echo "not ok threads: races (above)"; fi
+race=$(mktemp)
+trap 'rm -f "$race"' EXIT
+"$1" race >"$race" 2>&1
+if [ $? -eq 66 ] && grep -q 'data race' "$race"; then
+    echo "ok threads: a race on purpose is found"
+else
+    echo "not ok threads: a race on purpose is not found"
+    status=1
+fi
+exit $status

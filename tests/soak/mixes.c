@@ -122,9 +122,9 @@ size_t soak_make(uint64_t seed, uint64_t number, size_t only, soak_scene *scene)
     scene->moment = -1.0;
     if (mix < RANDOM_MIX_COUNT)
         make_rates(&chance, (random_mix)mix, scene);
-    else if (mix < (size_t)RANDOM_MIX_COUNT + GROWTH_MIX_COUNT)
+    else if (mix < (size_t)RANDOM_MIX_COUNT + (size_t)GROWTH_MIX_COUNT)
         make_growth(&chance, (grown_mix)(mix - RANDOM_MIX_COUNT), scene);
     else
-        make_degenerate(&chance, (soak_mix)(mix - RANDOM_MIX_COUNT - GROWTH_MIX_COUNT), scene);
+        make_degenerate(&chance, (soak_mix)(mix - RANDOM_MIX_COUNT - (size_t)GROWTH_MIX_COUNT), scene);
     return mix;
 }

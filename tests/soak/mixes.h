@@ -35,7 +35,7 @@ typedef enum soak_mix {
         SOAK_MIX_COUNT
 } soak_mix;
 
-#define SOAK_ALL_MIXES (RANDOM_MIX_COUNT + GROWTH_MIX_COUNT + SOAK_MIX_COUNT)
+#define SOAK_ALL_MIXES ((size_t)RANDOM_MIX_COUNT + (size_t)GROWTH_MIX_COUNT + (size_t)SOAK_MIX_COUNT)
 
 /* By number below SOAK_ALL_MIXES. Those of changing rates begin with "growth_". */
 const char *soak_mix_name(size_t mix);

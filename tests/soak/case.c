@@ -7,6 +7,9 @@
 
 #include "support/chance.h"
 
+/* Times over so many journeys are refused, says tdsp/solver.h. */
+#define MOST_JOURNEYS 0x1p40
+
 void soak_fail(soak_case *c, double excess, const char *format, ...)
 {
     va_list list;
@@ -18,11 +21,16 @@ void soak_fail(soak_case *c, double excess, const char *format, ...)
     va_end(list);
 }
 
+int soak_is_far(const soak_world *world, tdsp_status status, double time)
+{
+    return status == TDSP_NOT_SUPPORTED && time > 0.5 * MOST_JOURNEYS * world->unit;
+}
+
 double soak_ask(soak_case *c, const soak_world *world, double departure)
 {
     double arrival = -1.0;
     const tdsp_status status = tdsp_earliest_arrival(world->solver, departure, &arrival);
-    if (status == TDSP_SHRINKS) return NAN;
+    if (status == TDSP_SHRINKS || soak_is_far(world, status, departure)) return NAN;
     if (!tdsp_status_is_answer(status)) {
         soak_fail(c, INFINITY, "status %s at departure %.17g", tdsp_status_name(status), departure);
         return NAN;

@@ -36,7 +36,10 @@ typedef struct soak_case {
 /* Note what is wrong; only the first time counts. `excess` is a time. */
 void soak_fail(soak_case *c, double excess, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-/* A(t): infinite where there is no way, NAN where a radius would shrink before. Any other status fails. */
+/* Is the question refused for a time that is too many journeys away? */
+int soak_is_far(const soak_world *world, tdsp_status status, double time);
+
+/* A(t): infinite where there is no way, NAN where a radius would shrink before or the departure is too far. Any other status fails. */
 double soak_ask(soak_case *c, const soak_world *world, double departure);
 
 /* Is `arrival` not before, or not after, that of the world at the departure, up to what is said above? `from` is the scene of the world. */

@@ -1,12 +1,18 @@
 /* What holds between departures: the travel time never falls, and the latest departure is the inverse of the earliest arrival. */
-#include "soak/checks.h"
-
 #include <math.h>
+
+#include "soak/checks.h"
+#include "soak/departures.h"
 
 #include "tdsp/verify.h"
 
 /* Latest departures are looked past by this share of the times at hand. */
 #define PAST 1e-9
+
+/* The sides of a jump are seen from this share of the times at hand: so near that a steep rise beside it does not matter. */
+#define SIDES 1e-10
+
+enum { RISES = 3 };
 
 static double past(const soak_case *c, double departure)
 {
@@ -18,7 +24,7 @@ void soak_check_bounds(soak_case *c)
     const double t = c->departure, source = tdsp_scene_source_free_until(c->world.scene, NULL);
     double arrival = -1.0;
     const tdsp_status status = tdsp_earliest_arrival(c->world.solver, t, &arrival);
-    if (status == TDSP_SHRINKS) return;
+    if (status == TDSP_SHRINKS || soak_is_far(&c->world, status, t)) return;
     if (!tdsp_status_is_answer(status)) soak_fail(c, INFINITY, "status %s at departure %.17g", tdsp_status_name(status), t);
     if ((status == TDSP_SOURCE_COVERED) != (t > source))
         soak_fail(c, fabs(t - source), "status %s at departure %.17g, and the source is free until %.17g",
@@ -31,11 +37,61 @@ void soak_check_bounds(soak_case *c)
         soak_fail(c, arrival - most, "arrival %.17g after the destination is covered, %.17g", arrival, most);
 }
 
+/*
+ * The travel time of `later` is no shorter than that of `before`. Touches excuse nothing here: both are decided by the same engine in the same scene. Only
+ * a jump may lie elsewhere by its rounding.
+ */
+static void rises(soak_case *c, double before, double later)
+{
+    const double travel = soak_ask(c, &c->world, later) - later, least = soak_ask(c, &c->world, before) - before;
+    const double slack = soak_slack(c, &c->world, later, later + travel);
+    if (isnan(travel) || isnan(least) || !(travel < least - slack)) return;
+    const double jump = fmax(0.0, before - soak_step(c, &c->world, before)), bound = soak_ask(c, &c->world, jump) - jump;
+    c->forgiven++;
+    if (travel < bound - slack)
+        soak_fail(c, bound - travel, "the travel time falls by %.3g: %.17g at %.17g, %.17g at %.17g", bound - travel, least,
+                  before, travel, later);
+}
+
 void soak_check_rise(soak_case *c)
 {
-    const double arrival = soak_ask(c, &c->world, c->later);
-    if (arrival < INFINITY)
-        soak_not_before(c, &c->world, c->departure, c->departure + (arrival - c->later), "the travel time falls: moved earlier");
+    double before = c->departure;
+    for (int k = 1; k <= RISES; k++) {
+        const double then = k == RISES ? c->later : c->departure + (c->later - c->departure) * soak_pick_between(c, 0.0, 1.0);
+        rises(c, fmin(before, then), fmax(before, then));
+        before = then;
+    }
+}
+
+/*
+ * At a jump the answer is that of one of its sides: never a third, and never none where both have one. A boundary that comes over the source is no jump: arrivals
+ * rise steeply there.
+ */
+static void has_two_sides(soak_case *c, const soak_world *world)
+{
+    const double t = c->departure, width = SIDES * (world->unit + t), from = t - width, to = t + width;
+    if (from < 0.0 || to > tdsp_scene_source_free_until(world->scene, NULL)) return;
+    const double low = soak_ask(c, world, from) - from, high = soak_ask(c, world, to) - to;
+    if (!(high > low + 1e-3 * world->unit)) return;
+    const double jump = soak_find_jump(world, from, to), next = nextafter(jump, INFINITY);
+    if (jump < 0.0 || !(soak_ask(c, world, next) - soak_ask(c, world, jump) > 0.3 * fmin(high - low, 1e3 * world->unit))) return;
+    const double seen = soak_ask(c, world, t) - t, same = 1e-4 * world->unit;
+    if (isnan(seen) || seen == low || seen == high || fabs(seen - low) <= same || fabs(seen - high) <= same) return;
+    soak_fail(c, fmin(fabs(seen - low), fabs(seen - high)),
+              "a third travel time %.17g at a jump from %.17g to %.17g, departure %.17g", seen, low, high, t);
+}
+
+void soak_check_sides(soak_case *c)
+{
+    has_two_sides(c, &c->world);
+}
+
+void soak_check_general_sides(soak_case *c)
+{
+    soak_world general;
+    if (!soak_has_rates_only(c->scene) || soak_open(c->scene, TDSP_METHOD_GENERAL, &general) != TDSP_OK) return;
+    has_two_sides(c, &general);
+    soak_close(&general);
 }
 
 void soak_check_repeat(soak_case *c)
@@ -55,7 +111,7 @@ static double latest_in(soak_case *c, const soak_world *world, double arrival, d
     double departure = NAN;
     *arrives = NAN;
     const tdsp_status status = tdsp_latest_departure(world->solver, arrival, &departure, arrives);
-    if (!tdsp_status_is_answer(status) && status != TDSP_SHRINKS)
+    if (!tdsp_status_is_answer(status) && status != TDSP_SHRINKS && !soak_is_far(world, status, arrival))
         soak_fail(c, INFINITY, "latest departure for %.17g: status %s", arrival, tdsp_status_name(status));
     return status == TDSP_OK ? departure : NAN;
 }

@@ -11,12 +11,14 @@
     X(path, 100, 512, 512, "the verifier accepts the path")                                                                      \
     X(sample, 60, 512, 512, "so do samples of the path, placed and measured by formulas of this test's own")                     \
     X(rise, 60, 512, 512, "the travel time of a later departure is no shorter")                                                  \
+    X(sides, 40, 16, 8, "at a jump the answer is that of one of its sides")                                                      \
+    X(general_sides, 15, 8, 0, "likewise by the engine for changing rates in scenes of constant rates")                          \
     X(repeat, 10, 64, 64, "the same question has the same bits after others")                                                    \
-    X(latest, 25, 64, 8, "the latest departure for A(t) is no earlier than t and arrives in time; a later one does not")         \
+    X(latest, 40, 64, 8, "the latest departure for A(t) is no earlier than t and arrives in time; a later one does not")         \
     X(too_early, 5, 64, 8, "before A(0) nothing arrives")                                                                        \
     X(last, 8, 64, 8, "the last departure arrives, and right after it nothing does, for the reason given")                       \
-    X(general, 15, 8, 0, "the engine for changing rates has the arrival of that for constant rates")                             \
-    X(within, 25, 512, 512, "an interval within a share holds the arrival, and its path is accepted")                            \
+    X(general, 25, 8, 0, "the engine for changing rates has the arrival of that for constant rates")                             \
+    X(within, 30, 512, 512, "an interval within a share holds the arrival, and its path is accepted")                            \
     X(quarter, 20, 64, 64, "turning the scene by right angles changes no bit")                                                   \
     X(doubled, 15, 64, 64, "other units of length and time by powers of two change no bit")                                      \
     X(turned, 15, 64, 64, "turning by any angle changes no answer")                                                              \
@@ -25,7 +27,7 @@
     X(mirrored, 20, 64, 64, "nor mirroring")                                                                                     \
     X(relabelled, 20, 64, 64, "nor another order of the discs")                                                                  \
     X(fewer, 20, 64, 64, "with a disc less nothing arrives later, and a disc inside another changes nothing")                    \
-    X(slow, 4, 4, 3, "the slow solvers have the same arrival")                                                                   \
+    X(slow, 6, 4, 3, "the slow solvers have the same arrival")                                                                   \
     X(many, 5, 64, 8, "one search for many destinations has the arrivals that they have one by one")                             \
     X(table, 1, 16, 4, "a table is verified, and its intervals hold the arrivals")
 

@@ -29,8 +29,7 @@ static double travel(const soak_world *world, double departure)
     return tdsp_earliest_arrival(world->solver, departure, &arrival) == TDSP_OK ? arrival - departure : INFINITY;
 }
 
-/* Where the travel time rises most between two departures, by halving; negative where it hardly rises. */
-static double find_jump(const soak_world *world, double from, double to)
+double soak_find_jump(const soak_world *world, double from, double to)
 {
     double before = travel(world, from), after = travel(world, to);
     if (!(after > before + 0.01 * world->unit)) return -1.0;
@@ -67,10 +66,10 @@ size_t soak_departures(const soak_world *world, uint64_t *chance, double departu
     departures[count++] = chance_below(chance, 2) ? 0.0 : until * chance_between(chance, 0.0, 0.6);
     if (chance_below(chance, 2)) departures[count++] = any;
     if (moment >= 0.0 && chance_below(chance, 4)) departures[count++] = near(chance, unit, moment);
-    if (small && chance_below(chance, 8) == 0)
+    if (small && chance_below(chance, 4) == 0)
         departures[count++] = near(chance, unit, chance_below(chance, 2) ? source : end_of_departures(world));
-    if (small && chance_below(chance, 6) == 0) {
-        const double jump = find_jump(world, 0.0, any);
+    if (small && chance_below(chance, 3) == 0) {
+        const double jump = soak_find_jump(world, 0.0, any);
         if (jump >= 0.0) departures[count++] = near(chance, unit, jump);
     }
     size_t kept = 0;

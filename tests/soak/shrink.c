@@ -43,7 +43,8 @@ int soak_fails(const soak_scene *scene, soak_failure *failure)
 
 static int fails_enough(const shrinker *s, soak_failure *failure)
 {
-    return soak_fails(s->trial, failure) && failure->excess >= s->least;
+    /* What is wrong by a number stays so: a status that is wrong would be something else. */
+    return soak_fails(s->trial, failure) && failure->excess >= s->least && !isinf(failure->excess) == !isinf(s->failure->excess);
 }
 
 /* Elsewhere in the changed scene. */

@@ -34,4 +34,7 @@ static inline double tolerance_touch(tdsp_point center, double sizes)
     return GEOM_CONTACT * sizes + GEOM_PLACE * (1.0 + fabs(center.x) + fabs(center.y));
 }
 
+/* Rounding of a moment that is counted from time 0, relative to it: of when a disc covers a place, and of a departure. */
+#define GEOM_TIME 0x1p-50
+
 #endif

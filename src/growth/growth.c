@@ -228,18 +228,21 @@ static tdsp_status ask(growth_solver *self, const growth_question *question)
     return run(self, question, known);
 }
 
-/* A moment in the user's time is this in the frame's; the last robot may meet the disc that covers its goal. */
-static double frame_until(const tdsp_scene *scene, double time)
+/*
+ * A moment in the user's time, for a robot that leaves at `began` in the frame's; the last robot may meet the disc that covers its goal. What is forgiven is told as the
+ * moment of the cover, so it is no more than arrivals are wrong by.
+ */
+static double frame_until(const tdsp_scene *scene, double time, double began)
 {
     double until = time / scene->time;
-    return until + GEOM_CONTACT * fabs(until);
+    return until + GEOM_CONTACT * (1.0 + fabs(until - began)) + GEOM_TIME * fabs(until);
 }
 
 tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double departure, double *arrival, double *looked_until)
 {
     const tdsp_scene *scene = self->scene;
     growth_question question = {1.0, ends->source, ends->destination, departure / scene->time, 0.0, 0.0, 1.0, 0};
-    question.limit = question.goal_until = frame_until(scene, ends->destination_cover.time);
+    question.limit = question.goal_until = frame_until(scene, ends->destination_cover.time, question.time);
     tdsp_status status = ask(self, &question);
     if (status != TDSP_OK) return status;
     *looked_until = departure + (self->engine.latest - question.time) * scene->time;

@@ -103,9 +103,10 @@ engine_question solver_forward_question(const tdsp_solver *solver, double depart
 {
     const tdsp_scene *scene = solver->scene;
     const scene_ends *ends = &solver->ends;
-    double until = ends->destination_cover.time / scene->time;
-    until += GEOM_CONTACT * fabs(until); /* the last robot meets the disc that covers the destination: a touch */
     double time = scene_is_still(scene) ? 0.0 : departure / scene->time; /* where nothing grows one time is as good as another */
+    /* The last robot meets the disc that covers the destination: a touch. What is forgiven is told as the moment of the cover, so it is no more than arrivals are wrong by. */
+    double until = ends->destination_cover.time / scene->time;
+    until += GEOM_CONTACT * (1.0 + fabs(until - time)) + GEOM_TIME * fabs(until);
     engine_question question = {ENGINE_FORWARD, ends->source, ends->destination, time, -INFINITY, until,
                                 until, 1.0, 0, 0, NULL, 0};
     return question;

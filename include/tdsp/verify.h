@@ -28,8 +28,9 @@ extern "C" {
  * with the journey J the greater of |sd| and the length of the way, and the magnitude M the largest of: the coordinates of
  * both ends, of the legs and the arcs' centres; the arcs' radii; speed times the largest time; the coordinates of the disc with the least
  * clearance, and what its radius is the sum of. It is granted to the clearance, to each join, to both ends (in time: divided by the speed)
- * and to the ends of an arc. A leg may be longer than speed times duration by the share 1e-9 and TDSP_VERIFY_ROUNDING * M; a curve counts as long as it would be at its
- * greatest speed.
+ * and to the ends of an arc. A leg may be longer than speed times duration by the share 1e-9, by TDSP_VERIFY_ROUNDING * M and by 1e-11 of the way that the robot
+ * can go from departure to arrival (a rider who changes over from one disc to another that it touches is beside the second by as much as still is a touch); a curve counts
+ * as long as it would be at its greatest speed.
  */
 #define TDSP_VERIFY_TOLERANCE 1e-9
 #define TDSP_VERIFY_ROUNDING 1e-13

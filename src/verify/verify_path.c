@@ -19,7 +19,8 @@
 #include "verify/motion.h"
 #include "verify/nearby.h"
 
-#define SPEED_RELATIVE 1e-9 /* and TDSP_VERIFY_ROUNDING * M, in the length of a leg */
+#define SPEED_RELATIVE 1e-9 /* and the slack of a path_check, in the length of a leg */
+#define LENGTH_SHARE 1e-11  /* of the way that the robot can go, for a leg that begins beside its disc */
 #define FINE_SHARE 1e-3     /* of the tolerance: the resolution of the clearance */
 #define COARSE_SHARE 0.25   /* the same where a leg creeps along a disc that it does not ride */
 
@@ -29,6 +30,7 @@ typedef struct path_check {
     size_t disc_count;
     const nearby_index *index;
     double magnitude;
+    double slack; /* of the length of a leg */
     double tolerance;
     tdsp_verdict verdict;
 } path_check;
@@ -79,7 +81,7 @@ static void check_leg(path_check *check, const motion *m, size_t i)
 {
     if (m->leg.kind != TDSP_LEG_LINE && !ride_fits(check, m)) check_note(check, TDSP_PROBLEM_LEG, i);
     const double reach = check->journey->speed * m->duration * (1.0 + SPEED_RELATIVE);
-    if (m->length > reach + TDSP_VERIFY_ROUNDING * check->magnitude) check_note(check, TDSP_PROBLEM_SPEED, i);
+    if (m->length > reach + check->slack) check_note(check, TDSP_PROBLEM_SPEED, i);
 }
 
 /* Do two moments of the path agree in place and in time? */
@@ -119,6 +121,7 @@ static void check_clearance(path_check *check, const clearance *least)
 static void check_legs(path_check *check, const tdsp_leg *legs, size_t count, double departure, double arrival)
 {
     check_scales(check, legs, count);
+    check->slack = LENGTH_SHARE * check->journey->speed * fabs(arrival - departure) + TDSP_VERIFY_ROUNDING * check->magnitude;
     clearance least = {INFINITY,     INFINITY, FINE_SHARE * check->tolerance, COARSE_SHARE * check->tolerance, departure, 0.0,
                        TDSP_NO_DISC, 0};
     check_joins(check, legs, count, departure, arrival);
@@ -133,7 +136,7 @@ static void check_legs(path_check *check, const tdsp_leg *legs, size_t count, do
 tdsp_verdict check_path(const tdsp_scene *scene, const tdsp_journey *journey, const nearby_index *index, const tdsp_leg *legs,
                         size_t count, double departure, double arrival)
 {
-    path_check check = {journey, NULL, 0, index, 0.0, 0.0, {0, -INFINITY, departure, TDSP_NO_DISC, 0, 0.0}};
+    path_check check = {journey, NULL, 0, index, 0.0, 0.0, 0.0, {0, -INFINITY, departure, TDSP_NO_DISC, 0, 0.0}};
     check.discs = tdsp_scene_discs(scene, &check.disc_count);
     for (size_t i = 0; i < count; i++)
         if (!motion_well_formed(&legs[i])) check_note(&check, TDSP_PROBLEM_LEG, i);

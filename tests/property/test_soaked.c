@@ -1,7 +1,9 @@
 /* What the soak (tests/soak) found, each by itself in a scene that its shrinker made. */
 #include "support/cmocka_all.h"
 
+#include "tdsp/growth.h"
 #include "tdsp/solver.h"
+#include "tdsp/verify.h"
 
 static tdsp_solver *solver_for(const tdsp_scene *scene, tdsp_method method)
 {
@@ -36,10 +38,39 @@ static void a_robot_that_just_meets_the_disc_that_covers_its_destination_is_no_f
     tdsp_scene_free(scene);
 }
 
+/*
+ * The last robot changes over from one disc to another that touches it, to within 6e-12: the first curve on the second disc is so short that this was a share of more than
+ * 1e-9 of it, and the verifier called it too fast.
+ */
+static void a_path_that_changes_over_between_discs_that_touch_is_accepted(void **state)
+{
+    (void)state;
+    static const double slow[] = {0, 1.5, -0.962, 0.297, -0.052, 0.0054, -0.000303, 7e-06};
+    static const double late[] = {0, 0, 0, 0.29, -0.178542, 0.04279, -0.004687, 0.0002};
+    const tdsp_growing_disc discs[] = {
+        {.center = {0.0, -2.0}, .growth = {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 8, .values = slow}},
+        {.center = {-0.8, 1.6}, .radius = 0.04, .growth = {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 8, .values = late}}};
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {2.0, 0.0}};
+    tdsp_leg legs[64];
+    size_t count;
+    tdsp_verdict verdict;
+    double departure, arrives;
+    tdsp_scene *scene;
+    assert_int_equal(tdsp_scene_create_growing(&journey, discs, 2, NULL, &scene), TDSP_OK);
+    tdsp_solver *solver = solver_for(scene, TDSP_METHOD_AUTO);
+    assert_int_equal(tdsp_latest_departure(solver, 4.4, &departure, &arrives), TDSP_OK);
+    assert_int_equal(tdsp_solver_path(solver, legs, 64, &count), TDSP_OK);
+    assert_int_equal(tdsp_verify_path(scene, legs, count, departure, arrives, &verdict), TDSP_OK);
+    assert_int_equal(verdict.problems, 0);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_robot_that_just_meets_the_disc_that_covers_its_destination_is_no_faster_than_it_can_be),
+        cmocka_unit_test(a_path_that_changes_over_between_discs_that_touch_is_accepted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

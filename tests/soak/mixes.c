@@ -46,7 +46,7 @@ static void make_growth(uint64_t *chance, grown_mix mix, soak_scene *scene)
 
 static double snap(double value, double step)
 {
-    return step * round(value / step);
+    return step * round(value / step) + 0.0; /* no -0, for which angles turn to the other side */
 }
 
 static tdsp_point snap_point(tdsp_point p, double step)

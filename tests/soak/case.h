@@ -17,7 +17,7 @@
  * SOAK_TOUCH of the times at hand.
  */
 #define SOAK_SAME 1e-10
-#define SOAK_TOUCH 1e-11
+#define SOAK_TOUCH 3e-12
 #define SOAK_ROUNDING 1e-15
 
 typedef struct soak_case {

@@ -1,0 +1,33 @@
+# Faults: allocations that fail, files that cannot be read or written, and interruptions.
+#
+# Every test with CMocka's runner is linked a second time, with ours and the allocator's functions wrapped (inject.h).
+FAULTY := $(patsubst tests/%.c,$(BUILD)/tests/faults/%,$(filter tests/unit/% tests/property/%,$(TEST_SOURCES)))
+FAULTY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
+$(BUILD)/obj/tests/faults/%.o: POSIX += -D_DEFAULT_SOURCE
+$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/inject.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) $(FAULTY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
+FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
+
+# A small quarantine: a victim's fork copies what the allocator holds back.
+CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/faults/campaign.py
+
+.PHONY: faulty-programs run-faults faults
+faulty-programs: $(FAULTY)
+faults: ## fail the allocations of all tests: all up to FAULTS_ALL (default 3000) of each, then ever fewer
+	@tools/setup/packages.sh check
+	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs
+	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)
+
+# In `make check`: the first of each way to an allocation, told by three calls, among the first 150 of each unit test. Left out are tests without
+# allocations, and those that only read tables.
+SHORT_LEFT_OUT := angle bernstein bytes contact law margin_touch path path_json polynomial skyline spiral status tangent curve_table guide query query_paths table
+FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
+run-faults: $(CHECK)/faults/allocations.result
+$(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
+	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=150 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
+
+steps += check-faults
+.PHONY: check-faults
+check-faults: check-sanitize
+	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize CHECK=$(CHECK) run-faults

@@ -9,14 +9,22 @@ $(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/
 	$(CC) $(LDFLAGS) $(FAULTY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
 FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
 
+# The command with the system's answers changed.
+SHIMMED := $(BUILD)/tests/faults/tdsp
+SHIM_WRAP := -Wl,--wrap=open,--wrap=read,--wrap=write,--wrap=close,--wrap=fsync,--wrap=fchmod,--wrap=rename,--wrap=mkstemp,--wrap=progress_show
+$(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c) $(STATIC)
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
+
 # A small quarantine: a victim's fork copies what the allocator holds back.
 CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/faults/campaign.py
 
 .PHONY: faulty-programs run-faults faults
-faulty-programs: $(FAULTY)
-faults: ## fail the allocations of all tests: all up to FAULTS_ALL (default 3000) of each, then ever fewer
+faulty-programs: $(FAULTY) $(SHIMMED)
+faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000, then ever fewer) and every file operation
 	@tools/setup/packages.sh check
-	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs
+	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all
+	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
 	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)
 
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 150 of each unit test. Left out are tests without
@@ -26,6 +34,11 @@ FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_
 run-faults: $(CHECK)/faults/allocations.result
 $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
 	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=150 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
+
+# The operations of the command on files; signals at one in 20 of the steps of long work.
+checks += file-faults
+$(CHECK)/file-faults.result: $(COMMAND) $(SHIMMED)
+	$(RUN) env TDSP_SHIMMED=$(abspath $(SHIMMED)) SHIM_EVERY=20 $(PYTHON) tests/faults/files.py
 
 steps += check-faults
 .PHONY: check-faults

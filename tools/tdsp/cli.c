@@ -1,10 +1,12 @@
 /* Errors, options and output common to all commands. */
 #include "cli.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+#include "descriptor.h"
 
 GQuark cli_error_quark(void)
 {
@@ -53,9 +55,8 @@ void cli_warn(const char *format, ...)
 
 gboolean cli_print(const GString *text, GError **error)
 {
-    errno = 0;
-    if (fwrite(text->str, 1, text->len, stdout) == text->len && fflush(stdout) == 0) return TRUE;
-    return cli_fail(error, CLI_SYSTEM, "cannot write standard output: %s", g_strerror(errno));
+    int code = descriptor_write_all(STDOUT_FILENO, text->str, text->len);
+    return code == 0 ? TRUE : cli_fail(error, CLI_SYSTEM, "cannot write standard output: %s", g_strerror(code));
 }
 
 const char *cli_file_name(const char *path)
@@ -73,6 +74,15 @@ static char *usage_hint(const CliCommand *command)
     return g_strdup_printf("(usage: tdsp %s %s; more: tdsp %s --help)", command->name, command->arguments, command->name);
 }
 
+/* GOption prints its help by g_print() and ends the process, whether that could be written or not. */
+static void print_help(const char *text)
+{
+    int code = descriptor_write_all(STDOUT_FILENO, text, strlen(text));
+    if (code == 0) return;
+    fprintf(stderr, "%s: cannot write standard output: %s\n", g_get_prgname(), g_strerror(code));
+    exit(CLI_SYSTEM);
+}
+
 gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc,
                         char ***argv, GError **error)
 {
@@ -88,6 +98,7 @@ gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, 
     g_option_context_set_summary(context, command->help);
     g_autofree char *program = g_strdup_printf("tdsp %s", command->name);
     g_set_prgname(program);
+    g_set_print_handler(print_help);
     GError *wrong = NULL;
     if (g_option_context_parse(context, argc, argv, &wrong)) return TRUE;
     if (wrong->domain == CLI_ERROR) {

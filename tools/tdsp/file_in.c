@@ -2,35 +2,27 @@
 #include "file_in.h"
 
 #include <errno.h>
-#include <stdio.h>
+#include <fcntl.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli.h"
+#include "descriptor.h"
 
 static gboolean fail_read(GError **error, const char *path, const char *reason)
 {
     return cli_fail(error, CLI_SYSTEM, "cannot read %s: %s", cli_file_name(path), reason);
 }
 
-/* TRUE and all bytes of `stream`, or FALSE with errno. */
-static gboolean read_stream(FILE *stream, GString *into)
-{
-    char block[65536];
-    gsize got;
-    while ((got = fread(block, 1, sizeof block, stream)) > 0) g_string_append_len(into, block, (gssize)got);
-    return !ferror(stream);
-}
-
 gboolean file_in_read(const char *path, char **text, gsize *length, GError **error)
 {
     gboolean standard = strcmp(path, "-") == 0;
-    FILE *stream = standard ? stdin : fopen(path, "rb");
-    if (!stream) return fail_read(error, path, g_strerror(errno));
+    int file = standard ? STDIN_FILENO : descriptor_open(path, O_RDONLY);
+    if (file < 0) return fail_read(error, path, g_strerror(errno));
     GString *content = g_string_new(NULL);
-    gboolean whole = read_stream(stream, content);
-    int code = errno;
-    if (!standard) fclose(stream);
-    if (!whole) {
+    int code = descriptor_read_all(file, content);
+    if (!standard) close(file);
+    if (code != 0) {
         g_string_free(content, TRUE);
         return fail_read(error, path, g_strerror(code));
     }

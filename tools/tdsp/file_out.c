@@ -1,4 +1,4 @@
-/* Atomic replacement of a file: temporary file, fsync, rename, with signals held back. */
+/* Atomic replacement of a file: temporary file, fsync, rename, with signals held back. Only SIGKILL leaves the temporary file. */
 #include "file_out.h"
 
 #include <errno.h>
@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "cli.h"
+#include "descriptor.h"
 
 #define MOST_LINKS 40 /* as many as the system follows */
 
@@ -64,19 +65,6 @@ gboolean file_out_check(const char *path, const char *const *inputs, GError **er
     return TRUE;
 }
 
-/* 0, or errno. */
-static int write_all(int file, const unsigned char *bytes, gsize length)
-{
-    while (length > 0) {
-        gssize written = write(file, bytes, length);
-        if (written < 0 && errno == EINTR) continue;
-        if (written <= 0) return written < 0 ? errno : EIO;
-        bytes += written;
-        length -= (gsize)written;
-    }
-    return 0;
-}
-
 /* A new file gets what umask leaves of rw-rw-rw-, an old one keeps its permissions. */
 static mode_t mode_for(const char *target)
 {
@@ -90,7 +78,7 @@ static mode_t mode_for(const char *target)
 /* 0, or errno; `temporary` is gone afterwards either way. */
 static int fill_and_rename(int file, const char *temporary, const char *target, const void *bytes, gsize length)
 {
-    int code = write_all(file, bytes, length);
+    int code = descriptor_write_all(file, bytes, length);
     if (code == 0 && fchmod(file, mode_for(target)) != 0) code = errno;
     if (code == 0 && fsync(file) != 0) code = errno;
     if (close(file) != 0 && code == 0) code = errno;
@@ -111,21 +99,30 @@ static int replace(const char *path, const void *bytes, gsize length)
 
 static int write_through(const char *path, const void *bytes, gsize length)
 {
-    int file = open(path, O_WRONLY);
+    int file = descriptor_open(path, O_WRONLY);
     if (file < 0) return errno;
-    int code = write_all(file, bytes, length);
+    int code = descriptor_write_all(file, bytes, length);
     if (close(file) != 0 && code == 0) code = errno;
     return code;
 }
 
+/*
+ * Signals wait until a regular file is replaced, so that none leaves the temporary file behind. What is written through, a pipe or a device, may
+ * keep one waiting for ever and leaves nothing: it can be interrupted.
+ */
 gboolean file_out_write(const char *path, const void *bytes, gsize length, GError **error)
 {
     struct stat there;
-    gboolean special = stat(path, &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode);
+    if (stat(path, &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode)) {
+        void (*before)(int) = signal(SIGPIPE, SIG_IGN); /* a reader that went away is an error like others */
+        int code = write_through(path, bytes, length);
+        signal(SIGPIPE, before);
+        return code == 0 ? TRUE : fail_system(error, path, code);
+    }
     sigset_t all, before;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before);
-    int code = special ? write_through(path, bytes, length) : replace(path, bytes, length);
+    int code = replace(path, bytes, length);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     return code == 0 ? TRUE : fail_system(error, path, code);
 }

@@ -1,12 +1,14 @@
 /* The command `tdsp`: picks the command and reports its error. The texts of all commands stand in one table here. */
 #include <glib.h>
 #include <locale.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
 #include "commands.h"
+#include "descriptor.h"
 #include "suggest.h"
 #include "tdsp/types.h"
 
@@ -185,6 +187,8 @@ static int help(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    descriptor_guard_standard();
+    signal(SIGXFSZ, SIG_IGN); /* a file over the limit of sizes is then an error that can be told */
     /* Only how characters are written; numbers look the same everywhere. */
     setlocale(LC_CTYPE, "");
     if (argc < 2) return no_command();

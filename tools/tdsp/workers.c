@@ -6,6 +6,8 @@
  */
 #include "workers.h"
 
+#include <signal.h>
+
 #include "cli.h"
 
 struct Workers {
@@ -69,6 +71,22 @@ static tdsp_status make_oracle(Workers *workers, const tdsp_scene *scene, guint 
     return status == TDSP_OK ? tdsp_solver_oracle(workers->solvers[i], &workers->oracles[i]) : status;
 }
 
+/*
+ * The helpers take no signal that ends the process: one that outlives its pool by a moment would, while the main thread has held them back to
+ * write a file. A thread inherits what its maker holds back.
+ */
+static GThreadPool *quiet_pool(Workers *workers, GError **error)
+{
+    const int ending[] = {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2};
+    sigset_t held, before;
+    sigemptyset(&held);
+    for (gsize i = 0; i < G_N_ELEMENTS(ending); i++) sigaddset(&held, ending[i]);
+    pthread_sigmask(SIG_BLOCK, &held, &before);
+    GThreadPool *pool = g_thread_pool_new(help, workers, (gint)workers->count - 1, TRUE, error);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return pool;
+}
+
 Workers *workers_new(const tdsp_scene *scene, guint count, GError **error)
 {
     g_autoptr(Workers) workers = g_new0(Workers, 1);
@@ -86,7 +104,7 @@ Workers *workers_new(const tdsp_scene *scene, guint count, GError **error)
     }
     if (count == 1) return g_steal_pointer(&workers);
     g_autoptr(GError) wrong = NULL;
-    workers->pool = g_thread_pool_new(help, workers, (gint)count - 1, TRUE, &wrong);
+    workers->pool = quiet_pool(workers, &wrong);
     if (!workers->pool || wrong) {
         cli_fail(error, CLI_SYSTEM, "cannot start %u threads: %s", count, wrong ? wrong->message : "no reason known");
         return NULL;

@@ -99,12 +99,12 @@ static void contact_bend(const geom_ride *ride, const geom_disc *other, contact_
     *most = base + swing;
 }
 
-/* Is F certainly positive all the way? A concave parabola from each end, each least at the ends of its half. */
+/* Is F certainly positive all the way, given that it is not negative at a? A concave parabola from each end, each least at the ends of its half. */
 static int contact_free(contact_state a, contact_state b, double least)
 {
     double half = 0.5 * (b.time - a.time);
     double bend = 0.5 * (least < 0.0 ? least : 0.0) * half * half;
-    return a.value > 0.0 && a.value + a.slope * half + bend > 0.0 && b.value > 0.0 && b.value - b.slope * half + bend > 0.0;
+    return a.value + a.slope * half + bend > 0.0 && b.value > 0.0 && b.value - b.slope * half + bend > 0.0;
 }
 
 /* A contact known this well, as a share of the times at hand, is known as well as can be. */
@@ -112,16 +112,15 @@ static int contact_free(contact_state a, contact_state b, double least)
 
 /*
  * F falls through zero once between a and b. Newton's step from a lands near the zero, on either side; after a step that stayed outside twice the next one
- * is tried, which lands inside and brings b near as well.
+ * is tried, which lands inside and brings b near as well. Every eighth step halves, and what is left is more than four units in the last place: so it ends, and the middle lies inside.
  */
 static double contact_solve(const geom_ride *ride, const geom_disc *other, contact_state a, contact_state b, double grace)
 {
     double enough = CONTACT_TIME * (fabs(b.time) + (b.time - a.time));
     int stayed_outside = 0;
-    for (int step = 0; step < 100 && b.time - a.time > enough; ++step) {
+    for (int step = 0; b.time - a.time > enough; ++step) {
         double newton = -a.value / a.slope, time = a.time + (stayed_outside ? 2.0 * newton + 0.5 * enough : newton);
         if (!bracket_holds(a.time, b.time, time) || step % 8 == 7) time = 0.5 * (a.time + b.time);
-        if (time <= a.time || time >= b.time) break;
         contact_state state = contact_at(ride, other, time, grace);
         stayed_outside = state.value >= 0.0;
         if (stayed_outside) {
@@ -144,7 +143,7 @@ static int contact_impossible(const geom_ride *ride, const geom_disc *other)
     double r0 = disc_radius(disc, ride->start), r1 = disc_radius(disc, ride->end), low = r0 < r1 ? r0 : r1, high = r0 < r1 ? r1 : r0;
     double k0 = disc_radius(other, ride->start), k1 = disc_radius(other, ride->end), large = k0 < k1 ? k1 : k0;
     double distance = point_length(between);
-    if (large >= distance || low <= 0.0) return 0;
+    if (large >= distance) return 0;
     double cosine = (distance - large) * (distance + large) / (2.0 * distance * high) + low / (2.0 * distance);
     double window = 0.5 * GEOM_PI - asin_near(cosine) + 2.0 * GEOM_ANGLE_NEAR;
     double ahead = angle_positive(ride->side * (angle_near(between.y, between.x) - ride->angle));
@@ -163,12 +162,13 @@ static double contact_grace(const geom_ride *ride, const geom_disc *other, conta
     return outwards && start.value >= -forgiven ? 2.0 * forgiven : INFINITY;
 }
 
-#define CONTACT_DEPTH 48
+/* Halving 30 times makes less than the smallest interval; rounding may add to that where an interval has only a few doubles. */
+#define CONTACT_DEPTH 34
 
 double ride_contact(const geom_ride *ride, const geom_disc *other)
 {
     if (contact_impossible(ride, other)) return INFINITY;
-    contact_state later[CONTACT_DEPTH + 2]; /* the ends of the intervals still to do, the next one on top */
+    contact_state later[CONTACT_DEPTH]; /* the ends of the intervals still to do, the next one on top */
     double smallest = (ride->end - ride->start) * 1e-9, grace = 0.0;
     int top = 0;
     contact_state a = contact_at(ride, other, ride->start, 0.0);
@@ -190,13 +190,14 @@ double ride_contact(const geom_ride *ride, const geom_disc *other)
         double span = b.time - a.time;
         int falls = a.slope + (most > 0.0 ? most * span : 0.0) < 0.0;
         if (b.value < 0.0 && falls) return contact_solve(ride, other, a, b, grace);
-        if (span <= smallest || top > CONTACT_DEPTH) {
+        double middle = a.time + 0.5 * span;
+        if (span <= smallest || !bracket_holds(a.time, b.time, middle)) {
             if (b.value < 0.0) return a.time;
             a = b;
             --top;
             continue;
         }
-        later[top++] = contact_at(ride, other, a.time + 0.5 * span, grace);
+        later[top++] = contact_at(ride, other, middle, grace);
     }
     return INFINITY;
 }
@@ -229,7 +230,6 @@ static int touch_moment(const geom_ride *ride, const geom_disc *other, double *t
     *time = fabs(a) < fabs(b) ? from : to;
     for (int step = 0; step < 60 && (a > 0.0) != (b > 0.0); ++step) {
         *time = 0.5 * (from + to);
-        if (!(*time > from && *time < to)) break;
         double middle = touch_gap(ride, other, *time);
         if ((middle > 0.0) == (a > 0.0))
             from = *time;
@@ -264,6 +264,9 @@ static double contact_bend_at(const geom_ride *ride, const geom_disc *other, dou
 /* How far outside of the ride a touch may seem to be, as a share of its time. */
 #define TOUCH_EDGE 1e-9
 
+/* Newton's steps to where F is least; they begin beside it. */
+#define TOUCH_STEPS 8
+
 /*
  * Rounding of F, as a share of what is forgiven. A ride that ends with no more left was stopped by the other disc there, so the gap is closed; one that was not stopped
  * may seem to be in deeper by as much.
@@ -275,13 +278,13 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
     double moment;
     if (!touch_moment(ride, other, &moment)) return 0;
     double at = touch_meets(ride, other, moment), edge = TOUCH_EDGE * (ride->end - ride->start);
-    for (int step = 0; step < 8; ++step) {
+    for (int step = 0;; ++step) {
         if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
+        if (step == TOUCH_STEPS) break;
         double bend = contact_bend_at(ride, other, at);
         if (!(bend > 0.0)) return 0;
         at -= contact_at(ride, other, at, 0.0).slope / bend;
     }
-    if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
     *time = fmin(fmax(at, ride->start), ride->end);
     contact_state state = contact_at(ride, other, *time, 0.0), end = contact_at(ride, other, ride->end, 0.0);
     double sizes = state.reach + disc_radius(other, *time), forgiven = tolerance_touch(other->center, sizes) * sizes;

@@ -158,9 +158,10 @@ typedef struct root_search {
     double *roots;
 } root_search;
 
+/* Halving, rounded as it is, puts nothing between two neighbours but what lies between them: no more signs change than at first, at most the degree. */
 static void search_add(root_search *search, double x)
 {
-    if (search->count < POLYNOMIAL_DEGREE) search->roots[search->count++] = ldexp(x, search->scaled.unit);
+    search->roots[search->count++] = ldexp(x, search->scaled.unit);
 }
 
 /* An interval that is halved no further, from the share `low` of the whole to `high`. */
@@ -236,11 +237,11 @@ static int polynomial_root_sizes(const polynomial *p, int *low, int *high)
 
 #define FARTHEST 1000
 
-/* The sign of p inside of an interval in which it has one sign. */
+/* The sign of p, which is not 0 everywhere, inside of an interval in which it has one sign. */
 static int polynomial_sign_within(const polynomial *p, double from, double to)
 {
     scaled_polynomial scaled;
-    if (!polynomial_scale(p, from, to, &scaled)) return 0;
+    (void)polynomial_scale(p, from, to, &scaled);
     double value = polynomial_value(&scaled.p, scaled.to);
     if (value == 0.0) value = polynomial_value(&scaled.p, 0.5 * (scaled.from + scaled.to));
     return (value > 0.0) - (value < 0.0);
@@ -261,7 +262,7 @@ double polynomial_first_root(const polynomial *p)
         double from = ldexp(1.0, power), to = ldexp(1.0, power + STRIDE);
         int found = polynomial_roots(p, from, to, roots);
         int within = polynomial_sign_within(p, from, found ? 0.5 * (from + roots[0]) : to);
-        if (sign && within == -sign) return from;
+        if (sign * within < 0) return from;
         if (found) return roots[0];
         if (within) sign = within;
     }

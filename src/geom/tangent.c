@@ -203,7 +203,7 @@ static int tangent_stands(const geom_tangent *tangent)
 
 /*
  * Newton inside a bracket: value(lo) >= 0; whether value(hi) <= 0 is asked only when a step leads there. Where the departure point stands nearly
- * still, the time that the rider takes to turn to where it was is nearly the answer. Returns 0 when there is none.
+ * still, the time that the rider takes to turn to where it was is nearly the answer. Every eighth step halves what is left, so it ends. Returns 0 when there is none.
  */
 static int leave_solve(const leave_equation *equation, double lo, double hi, double *leave)
 {
@@ -214,9 +214,9 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
     *leave = time;
     if (time <= hi && tangent->root > 0 && tangent_stands(tangent)) return 1;
     if (!(time < hi)) time = hi;
-    for (int step = 0; step < 100; ++step) {
+    for (int step = 0;; ++step) {
         double slope, value = leave_value(equation, time, &slope);
-        if (value > 0.0 && time == end && !is_bracketed) return 0;
+        if (value > 0.0 && time == end) return 0;
         *leave = time;
         if (fabs(value) <= GEOM_ANGLE) return 1;
         if (value > 0.0) {
@@ -228,10 +228,9 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
         double next = time - value / slope;
         if (!is_bracketed && !(next < end)) next = end;
         else if (!bracket_holds(lo, hi, next) || step % 8 == 7) next = lo + 0.5 * (hi - lo);
-        if (next == time || next <= lo || (is_bracketed && next >= hi)) return 1;
+        if (next <= lo || (is_bracketed && next >= hi)) return 1;
         time = next;
     }
-    return 1;
 }
 
 /* Concentric discs: one moment, from every angle. */

@@ -22,7 +22,8 @@ static tdsp_gap jump_gap(const tdsp_table *table, uint64_t row)
 {
     tdsp_gap unknown = {TDSP_NO_DISC, TDSP_NO_DISC, 0, {0, 0}};
     uint64_t i = jump_first_gap(table, row);
-    return i < table->gap_count && table_gap_row(table, i) == row ? table_gap(table, i) : unknown;
+    if (i < table->gap_count && table_gap_row(table, i) == row) return table_gap(table, i);
+    return unknown;
 }
 
 static int jump_at(const tdsp_table *table, uint64_t row, tdsp_jump *out)

@@ -10,10 +10,10 @@
 typedef double check_key(const tdsp_table *table, uint64_t row);
 
 /* Cells are numbered by whole numbers that a double holds exactly, and the last time is in the last cell. */
-static int check_cells(const tdsp_table *table, const tdsp_guide *guide)
+static int check_cells(const tdsp_guide *guide)
 {
     double end = (guide->last - guide->first) * guide->scale;
-    return table->rows <= FORMAT_GUIDE_MAX && guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX &&
+    return guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX &&
            guide_cell(guide->first, guide->scale, guide->last) + 1 == guide->cells;
 }
 
@@ -50,7 +50,7 @@ static inline int check_guide(const tdsp_table *table, const tdsp_guide *guide, 
 {
     uint64_t start = 0;
     if (guide->cells == 0) return guide->scale == 0;
-    if (!check_order(table, key) || !check_cells(table, guide)) return 0;
+    if (table->rows > FORMAT_GUIDE_MAX || !check_order(table, key) || !check_cells(guide)) return 0;
     for (uint64_t cell = 0; cell < guide->cells; cell += FORMAT_GUIDE_BLOCK) {
         if (!check_block(table, guide, key, cell, &start)) return 0;
     }

@@ -58,7 +58,7 @@ static int matrix_sections(tdsp_matrix *view, uint64_t *cursor)
     *cursor = bytes_get_u32(bytes + MATRIX_AT_HEADER_LENGTH);
     if (view->sources == 0 || view->destinations == 0 || view->sources > MATRIX_MOST_ENDS || view->destinations > MATRIX_MOST_ENDS) return 0;
     ends = view->sources + view->destinations;
-    if (!sizes_multiply(view->sources, view->destinations, &pairs) || !sizes_multiply(pairs, MATRIX_PAIR_SIZE, &pairs)) return 0;
+    if (!sizes_multiply(view->sources * view->destinations, MATRIX_PAIR_SIZE, &pairs)) return 0;
     if (!matrix_take(view, view->points, MATRIX_POINT_SIZE * ends, cursor) || !matrix_take(view, view->name_ends, 8 * ends, cursor)) return 0;
     if (!matrix_take(view, view->names, matrix_name_end(view, ends - 1), cursor)) return 0;
     return matrix_take(view, view->pairs, pairs, cursor) && bytes_get_u64(bytes + MATRIX_AT_TABLES) == *cursor;

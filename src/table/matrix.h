@@ -33,7 +33,7 @@
 #define MATRIX_PAIR_AT_STATUS 16 /* u32 */
 #define MATRIX_PAIR_AT_ZERO 20   /* u32 */
 
-/* The largest number of sources, and of destinations. */
+/* The largest number of sources, and of destinations: so the number of pairs fits in 64 bits. */
 #define MATRIX_MOST_ENDS 0xffffffffu
 
 #endif

@@ -48,7 +48,7 @@ static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2]
     if (table->rows == 0 || !sizes_add(table->rows, 1, &bounds)) return 0;
     if (!sizes_multiply(table->rows, 8, &sizes[FORMAT_DEPARTURES])) return 0;
     sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = sizes[FORMAT_DEPARTURES];
-    if (!sizes_multiply(table->waypoint_count > 0 ? bounds : 0, 4, &sizes[FORMAT_FIRST_WAYPOINT])) return 0;
+    sizes[FORMAT_FIRST_WAYPOINT] = table->waypoint_count > 0 ? 4 * bounds : 0; /* fits, since 8 * rows does */
     if (!sizes_multiply(table->waypoint_count, FORMAT_WAYPOINT_SIZE, &sizes[FORMAT_WAYPOINTS])) return 0;
     if (!sizes_multiply(table->arc_count, FORMAT_ARC_SIZE, &sizes[FORMAT_ARCS])) return 0;
     if (!sizes_multiply(table->opaque_length > 0 ? bounds : 0, 8, &sizes[FORMAT_FIRST_BYTE])) return 0;
@@ -57,8 +57,8 @@ static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2]
     sizes[FORMAT_BY_DEPARTURE] = guide_size(table->by_departure.cells);
     sizes[FORMAT_BY_ARRIVAL] = guide_size(table->by_arrival.cells);
     if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
-    return sizes_multiply(table->curve_count, FORMAT_CURVE_SIZE, &sizes[FORMAT_CURVES]) &&
-           sizes_multiply(table->gap_count, FORMAT_GAP_SIZE, &sizes[FORMAT_GAPS]);
+    sizes[FORMAT_CURVES] = table->curve_count * FORMAT_CURVE_SIZE;
+    return sizes_multiply(table->gap_count, FORMAT_GAP_SIZE, &sizes[FORMAT_GAPS]);
 }
 
 static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint64_t to)

@@ -10,6 +10,30 @@ COVERAGE_BUILD := $(BUILD)/coverage
 COVERAGE_MAKE = $(MAKE) --no-print-directory -s COVERAGE=1 CC=$(CLANG) OPTIMIZE=-O1 BUILD=$(COVERAGE_BUILD) CHECK=$(COVERAGE_BUILD)/check VARIANT=coverage
 COVERAGE_REPORT = $(PYTHON) tests/coverage/report.py --profiles $(COVERAGE_BUILD)/profiles
 
+# The freestanding line by itself, and the unit tests that are about it: those must cover it without the help of others.
+LINE_TESTS := angle bytes contact curve_table forged gap_table guide law matrix path polynomial query query_paths skyline spiral status table tangent
+LINE := $(COVERAGE_BUILD)/line
+LINE_PROGRAMS := $(LINE_TESTS:%=$(LINE)/test_%)
+LINE_FLAGS := -std=c99 -O1 -fPIC -ffp-contract=off -fno-math-errno -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc
+$(LINE)/obj/%.o: %.c tests/coverage/rules.mk | tool-packages
+	@mkdir -p $(@D)
+	$(CLANG) $(CPPFLAGS) $(TEST_CPPFLAGS) $(LINE_FLAGS) -MMD -MP -c $< -o $@
+$(LINE)/libline.so: $(patsubst %.c,$(LINE)/obj/%.o,$(QUERY_SOURCES))
+	$(CLANG) -fprofile-instr-generate -shared $^ -lm -o $@
+# What the tests need above the line to make their tables is not measured.
+$(LINE_PROGRAMS): $(LINE)/%: $(LINE)/obj/tests/unit/%.o $(patsubst %.c,$(LINE)/obj/%.o,$(QUERY_SOURCES)) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
+	$(CLANG) -fprofile-instr-generate $^ $(TEST_LIBS) -o $@
+-include $(wildcard $(LINE)/obj/*/*/*.d)
+
+.PHONY: coverage-line
+coverage-line: $(LINE)/libline.so $(LINE_PROGRAMS) ## measure how the unit tests of layers 0 to 2 cover these by themselves
+	@rm -rf $(LINE)/profiles
+	@for program in $(LINE_PROGRAMS); do LLVM_PROFILE_FILE=$(LINE)/profiles/%m.profraw $$program >$(LINE)/log 2>&1 || { cat $(LINE)/log; exit 1; }; done
+	@$(PYTHON) tests/coverage/report.py --profiles $(LINE)/profiles --strict-only $(LINE)/libline.so $(LINE_PROGRAMS)
+
+checks += coverage-line
+$(CHECK)/coverage-line.result: $(STATIC) $(SUPPORT) $(COMMAND_PARTS) ; $(RUN) $(MAKE) --no-print-directory -s coverage-line
+
 .PHONY: coverage
 coverage: ## measure lines, branches and conditions covered by all tests, and compare with tests/coverage/uncovered.csv
 	@tools/setup/packages.sh check

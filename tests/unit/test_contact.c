@@ -264,9 +264,131 @@ static void whoever_comes_over_at_a_touch_rides_on(void **state)
     assert_exact(ride_contact(&over, &small), 0.0);
 }
 
+static void a_rider_who_was_there_before_or_will_not_be_there_touches_nothing(void **state)
+{
+    (void)state;
+    geom_disc disc, other;
+    double corner, time, begins = -0.1;
+    slow_corner(&disc, &other, 1.0, 1.5, 0.25, 0.0, &corner);
+    geom_ride behind = {&disc, -1, corner - 0.5, begins, 0.05}, before = {&disc, -1, corner + 0.5, begins, 0.05};
+    assert_false(ride_touch(&behind, &other, &time));
+    assert_false(ride_touch(&before, &other, &time));
+}
+
+static void a_gap_that_stays_open_or_is_closed_all_the_time_is_not_touched(void **state)
+{
+    (void)state;
+    double corner, time;
+    for (int k = 0; k < 4; ++k) {
+        geom_disc disc, other;
+        slow_corner(&disc, &other, 1.0, 1.5, 0.25, k % 2 ? 0.5 : -0.5, &corner);
+        if (k > 1) disc = disc_make(disc.center, disc.radius, -disc.rate), other = disc_make(other.center, other.radius, -other.rate);
+        assert_false(touches(&disc, &other, corner, &time));
+    }
+}
+
+/* Who is stopped where the gap closes ends with nothing left between, and does not touch; nor does who ends there by himself. */
+static void a_rider_who_is_stopped_by_the_closing_gap_does_not_touch(void **state)
+{
+    (void)state;
+    int stopped = 0, past = 0, only_on = 0;
+    for (int k = 0; k < 2000; ++k) {
+        geom_disc disc, other;
+        double corner, time, turn = 0.2;
+        slow_corner(&disc, &other, 1.0, 1.5, 0.25, -2e-15 * k, &corner);
+        geom_ride ride = {&disc, -1, corner + turn, disc.radius / disc.rate * expm1(-disc.rate / disc.sine * turn), 0.5 * turn};
+        double first = ride_contact(&ride, &other);
+        geom_ride ended = ride;
+        ended.end = 0.0;
+        if (ride_touch(&ride, &other, &time)) only_on += !ride_touch(&ended, &other, &time);
+        else assert_false(ride_touch(&ended, &other, &time));
+        if (!isinf(first)) ride.end = first;
+        int touch = ride_touch(&ride, &other, &time);
+        if (!isinf(first)) assert_false(touch);
+        stopped += !isinf(first);
+        past += touch;
+    }
+    assert_true(stopped > 50 && past > 50 && only_on > 0);
+}
+
+/* Discs of any size that meet during a ride around one of them: a touch is claimed only where the rider is at the other's boundary, and outside of it before. */
+static void a_touch_that_is_claimed_is_one(void **state)
+{
+    (void)state;
+    uint64_t chance = 8;
+    for (int k = 0; k < 20000; ++k) {
+        double sign = k % 2 ? 1.0 : -1.0, start = chance_between(&chance, 0.0, 0.5), time;
+        geom_disc disc = disc_make(point_make(0.0, 0.0), chance_between(&chance, 0.05, 3.0) + (k % 2 ? 0.0 : 1.5), sign * chance_between(&chance, 0.0, 0.97));
+        geom_disc other = disc_make(point_make(0.0, 0.0), chance_between(&chance, 0.01, 5.0), sign * chance_between(&chance, 0.0, 0.97));
+        geom_ride ride = {&disc, k % 4 < 2 ? 1 : -1, chance_between(&chance, -3.2, 3.2), start, start + spiral_duration(&disc, start, chance_between(&chance, 0.01, 6.0))};
+        double meets = chance_between(&chance, ride.start, ride.end), r = disc_radius(&disc, meets), q = disc_radius(&other, meets);
+        other.center.x = sqrt(fmax(r * r + q * q - 2.0 * r * q * cos(disc.theta + other.theta), 0.0));
+        if (!ride_touch(&ride, &other, &time)) continue;
+        assert_true(time >= ride.start && time <= ride.end);
+        assert_near(ride_clear(&ride, &other, time), 0.0, 1e-9);
+    }
+}
+
+/* The least radius with which the ride is stopped, where at its start the disc is up to `most` large. */
+static double least_that_stops(const geom_ride *ride, geom_disc *other, double most)
+{
+    double lo = -other->rate * ride->start, hi = lo + most;
+    for (int step = 0; step < 70; ++step) {
+        other->radius = 0.5 * (lo + hi);
+        *(isinf(ride_contact(ride, other)) ? &lo : &hi) = other->radius;
+    }
+    return hi;
+}
+
+/* Radii on both sides of that one, a double apart. */
+static void try_radii_beside(const geom_ride *ride, geom_disc *other, double tolerance)
+{
+    other->radius = least_that_stops(ride, other, 20.0);
+    for (int step = 0; step < 20; ++step) other->radius = nextafter(other->radius, -INFINITY);
+    for (int step = 0; step < 40; ++step) {
+        other->radius = nextafter(other->radius, INFINITY);
+        double first = ride_contact(ride, other);
+        if (isinf(first)) continue;
+        assert_true(first >= ride->start && first <= ride->end);
+        assert_near(ride_clear(ride, other, first), 0.0, tolerance);
+    }
+}
+
+static void a_ride_that_rounding_alone_decides_is_stopped_where_it_is_nearest_or_not_at_all(void **state)
+{
+    (void)state;
+    uint64_t chance = 9;
+    for (int k = 0; k < 150; ++k) {
+        geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0, chance_between(&chance, 0.0, 0.9));
+        geom_disc other = disc_make(point_make(chance_between(&chance, 2.0, 6.0), 0.0), 0.0, chance_between(&chance, 0.0, 0.9));
+        geom_ride ride = {&disc, 1, -chance_between(&chance, 0.1, 1.0), 0.0, 2.0};
+        try_radii_beside(&ride, &other, 1e-7);
+    }
+}
+
+/* Halving a ride between two doubles that follow one another went on for ever where rounding could not decide it. */
+static void a_ride_of_one_unit_in_the_last_place_of_time_comes_to_an_end(void **state)
+{
+    (void)state;
+    uint64_t chance = 10;
+    for (int k = 0; k < 200; ++k) {
+        double begins = pow(10.0, 3 + k % 6), c = chance_between(&chance, 0.0, 0.9);
+        geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0 - c * begins, c);
+        geom_disc other = disc_make(point_make(chance_between(&chance, 2.0, 6.0), 0.0), 0.0, chance_between(&chance, 0.0, 0.9));
+        geom_ride ride = {&disc, 1, -chance_between(&chance, 0.1, 1.0), begins, nextafter(begins, INFINITY)};
+        try_radii_beside(&ride, &other, 1e-6 /* radii that are differences of 1e8 and more */);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_rider_who_was_there_before_or_will_not_be_there_touches_nothing),
+        cmocka_unit_test(a_gap_that_stays_open_or_is_closed_all_the_time_is_not_touched),
+        cmocka_unit_test(a_rider_who_is_stopped_by_the_closing_gap_does_not_touch),
+        cmocka_unit_test(a_touch_that_is_claimed_is_one),
+        cmocka_unit_test(a_ride_that_rounding_alone_decides_is_stopped_where_it_is_nearest_or_not_at_all),
+        cmocka_unit_test(a_ride_of_one_unit_in_the_last_place_of_time_comes_to_an_end),
         cmocka_unit_test(a_touch_is_found_as_long_as_the_rider_is_let_past_and_no_longer),
         cmocka_unit_test(whoever_comes_over_at_a_touch_rides_on),
         cmocka_unit_test(a_line_is_blocked_exactly_when_samples_lie_inside),

@@ -90,12 +90,23 @@ static void a_law_is_within_a_radius_until_it_reaches_it(void **state)
     }
 }
 
+/* A radius that the first piece reaches at its very end, and the next one begins with a little more by rounding. */
+static void a_radius_reached_where_a_piece_ends_is_kept_until_there(void **state)
+{
+    (void)state;
+    const double reached = 1.0 + 0.25;
+    law_piece pieces[] = {{0.0, {1.0, 0.25}, 1}, {1.0, {nextafter(reached, 2.0), 1.0}, 1}};
+    geom_law law = {pieces, 2};
+    assert_exact(law_within_until(&law, reached), 1.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_piece_that_holds_is_the_last_that_has_begun),
         cmocka_unit_test(a_jet_is_the_polynomial_and_its_derivatives),
         cmocka_unit_test(a_law_is_within_a_radius_until_it_reaches_it),
+        cmocka_unit_test(a_radius_reached_where_a_piece_ends_is_kept_until_there),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -196,6 +196,43 @@ static void a_first_root_counts_only_over_zero_and_where_the_sign_changes(void *
     assert_exact(polynomial_first_root(&zero), INFINITY);
 }
 
+/* Intervals for the first root end at powers of two: here at 512, and at 32, where the middle of the interval before is a root of order 2. */
+static void a_first_root_where_two_intervals_meet_is_found_whatever_stands_before(void **state)
+{
+    (void)state;
+    const polynomial simple = {3, {-512.0, 1.0, -512.0, 1.0}}, doubled = {5, {-9248.0, 1377.0, -9314.0, 1378.0, -66.0, 1.0}};
+    assert_exact(polynomial_first_root(&simple), 512.0);
+    assert_exact(polynomial_first_root(&doubled), 32.0);
+}
+
+static void a_first_root_beyond_all_doubles_is_none(void **state)
+{
+    (void)state;
+    const polynomial far = {1, {-1e300, 1e-300}}, near = {1, {-1e-300, 1e300}};
+    assert_exact(polynomial_first_root(&far), INFINITY);
+    assert_exact(polynomial_first_root(&near), INFINITY);
+}
+
+/* Beside 3, a third of it rounds to 1. */
+static void nothing_is_found_where_a_line_rounds_to_zero_all_the_way(void **state)
+{
+    (void)state;
+    const polynomial line = {1, {-1.0, 1.0 / 3.0}};
+    double found[MOST];
+    assert_int_equal(polynomial_roots(&line, 3.0, nextafter(3.0, 4.0), found), 0);
+}
+
+/* (3 x - 1)^2 in exact numbers: halving never tells its two roots apart. */
+static void a_double_root_that_no_halving_meets_is_given_up_in_the_end(void **state)
+{
+    (void)state;
+    const polynomial p = {2, {1.0, -6.0, 9.0}};
+    double found[MOST];
+    int count = polynomial_roots(&p, 0.0, 1.0, found);
+    assert_true(count == 0 || count == 2);
+    for (int i = 0; i < count; ++i) assert_near(found[i], 1.0 / 3.0, 1e-7);
+}
+
 static void leading_zeros_do_not_matter(void **state)
 {
     (void)state;
@@ -264,6 +301,10 @@ int main(void)
         cmocka_unit_test(a_root_near_zero_in_a_wide_interval_is_found),
         cmocka_unit_test(the_first_root_is_found_at_any_distance_and_beside_any_other),
         cmocka_unit_test(a_first_root_counts_only_over_zero_and_where_the_sign_changes),
+        cmocka_unit_test(a_first_root_where_two_intervals_meet_is_found_whatever_stands_before),
+        cmocka_unit_test(a_first_root_beyond_all_doubles_is_none),
+        cmocka_unit_test(nothing_is_found_where_a_line_rounds_to_zero_all_the_way),
+        cmocka_unit_test(a_double_root_that_no_halving_meets_is_given_up_in_the_end),
         cmocka_unit_test(leading_zeros_do_not_matter),
         cmocka_unit_test(nothing_is_found_where_there_is_nothing),
         cmocka_unit_test(the_least_is_a_bound_and_a_tight_one_on_short_intervals),

@@ -339,6 +339,88 @@ static void a_leg_that_leaves_as_its_disc_is_swallowed_has_the_length_of_the_tan
     }
 }
 
+/* Between concentric discs every angle will do; on a pebble far from the leg's end the ride knows the angle better than the tangent. */
+static void the_normal_of_a_departure_is_the_riders_own_where_the_tangent_knows_less(void **state)
+{
+    (void)state;
+    geom_disc i = disc_make(point_make(1.0, 2.0), 1.0, 0.5), j = disc_make(point_make(1.0, 2.0), 0.5, 0.75);
+    geom_pair nested = pair_make(&i, &j);
+    geom_tangent tangent = tangent_make(&nested, 1, -1, 1);
+    assert_exact(tangent_leg(&tangent, 0.625, 0.0).normal, 0.625);
+    j = disc_make(point_make(3.0, 2.0), 0.5, 0.75);
+    geom_pair apart = pair_make(&i, &j);
+    tangent = tangent_make(&apart, 1, 1, 1);
+    assert_near(tangent_leg(&tangent, 0.625, 0.0).normal, tangent_heading(&tangent, 0.0) - i.theta, 1e-15);
+    i = disc_make(point_make(0.0, 0.0), 2.0, 0.0), j = disc_make(point_make(2.0, 0.0), 0.0, 0.0);
+    geom_pair touching = pair_make(&i, &j);
+    tangent = tangent_make(&touching, 1, 1, 1);
+    assert_exact(tangent_leg(&tangent, 0.625, 0.0).normal, 0.625);
+}
+
+/* Rates whose squares are zero: the discs stand still as far as anybody can tell, and their cross legs with them. */
+static void discs_that_grow_by_next_to_nothing_have_the_legs_of_discs_that_stand(void **state)
+{
+    (void)state;
+    for (int apart = 0; apart < 2; ++apart) {
+        geom_disc i = disc_make(point_make(0.0, 0.0), 1.0, 1e-200), j = disc_make(point_make(apart ? 3.0 : 0.5, 0.0), 0.5, 3e-200);
+        geom_pair pair = pair_make(&i, &j);
+        for (int side = -1; side <= 1; side += 2) {
+            geom_tangent tangent = tangent_make(&pair, side, -side, 1);
+            double ends[4];
+            assert_int_equal(tangent_domain(&tangent, 0.0, 2.0, ends), apart);
+            if (!apart) continue;
+            assert_exact(ends[0], 0.0);
+            assert_exact(ends[1], 2.0);
+            assert_near(tangent_length(&tangent, 1.0), sqrt(9.0 - 2.25), 1e-14);
+        }
+    }
+}
+
+/* Two points at one place that begin to grow: the leg has no length, and only then. */
+static void two_points_at_one_place_have_a_leg_at_one_moment(void **state)
+{
+    (void)state;
+    geom_disc i = disc_make(point_make(1.0, 1.0), 0.0, 0.1), j = disc_make(point_make(1.0, 1.0), 0.0, 0.3);
+    geom_pair pair = pair_make(&i, &j);
+    for (int side = -1; side <= 1; side += 2)
+        for (int to_side = -1; to_side <= 1; to_side += 2) {
+            geom_tangent tangent = tangent_make(&pair, side, to_side, 1);
+            double ends[4];
+            int pieces = tangent_domain(&tangent, 0.0, 2.0, ends);
+            if (!pieces) continue;
+            assert_int_equal(pieces, 1);
+            assert_exact(ends[0], 0.0);
+            assert_exact(ends[1], 0.0);
+        }
+}
+
+/* Where |k| = 1 a departure point moves by more in one double of time than an angle may be wrong: the two on both sides are all there is. */
+static void a_rider_leaves_at_the_nearest_double_where_the_departure_point_races(void **state)
+{
+    (void)state;
+    uint64_t chance = 6;
+    int left = 0;
+    for (int k = 0; k < 4000; ++k) {
+        branch b = random_branch(&chance, k % 2 ? 1 : -1);
+        const double late = 1000.0; /* the doubles of time are far apart */
+        b.i.radius -= late * b.i.rate;
+        b.j.radius -= late * b.j.rate;
+        geom_pair pair = pair_make(&b.i, &b.j);
+        b.side = k % 4 < 2 ? 1 : -1;
+        b.to_side = k % 8 < 4 ? 1 : -1;
+        geom_tangent tangent = tangent_make(&pair, b.side, b.to_side, k % 16 < 8 ? 1 : -1);
+        double ends[4], leave;
+        if (!tangent_domain(&tangent, late, late + 2.0, ends) || ends[1] >= late + 2.0 || ends[1] <= ends[0]) continue;
+        double time = ends[1] - (ends[1] - ends[0]) * pow(10.0, chance_between(&chance, -16.0, -8.0));
+        double normal = tangent_heading(&tangent, time) - b.side * b.i.theta;
+        double angle = normal - b.side * spiral_angle(&b.i, ends[0], time);
+        if (!tangent_leave(&tangent, angle, ends[0], ends[1], &leave)) continue;
+        assert_true(leave >= ends[0] && leave <= ends[1]);
+        ++left;
+    }
+    assert_true(left > 100);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -350,6 +432,10 @@ int main(void)
         cmocka_unit_test(same_rate_and_side_keep_heading_and_length_for_ever),
         cmocka_unit_test(a_leg_that_leaves_as_its_disc_is_swallowed_has_the_length_of_the_tangent),
         cmocka_unit_test(a_rider_who_starts_at_the_departure_point_leaves_at_once),
+        cmocka_unit_test(the_normal_of_a_departure_is_the_riders_own_where_the_tangent_knows_less),
+        cmocka_unit_test(discs_that_grow_by_next_to_nothing_have_the_legs_of_discs_that_stand),
+        cmocka_unit_test(two_points_at_one_place_have_a_leg_at_one_moment),
+        cmocka_unit_test(a_rider_leaves_at_the_nearest_double_where_the_departure_point_races),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

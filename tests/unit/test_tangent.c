@@ -347,7 +347,12 @@ static void the_normal_of_a_departure_is_the_riders_own_where_the_tangent_knows_
     geom_pair nested = pair_make(&i, &j);
     geom_tangent tangent = tangent_make(&nested, 1, -1, 1);
     assert_exact(tangent_leg(&tangent, 0.625, 0.0).normal, 0.625);
-    j = disc_make(point_make(3.0, 2.0), 0.5, 0.75);
+    i = disc_make(point_make(0.0, 0.0), 1.0, 0.5), j = disc_make(point_make(1e-16, 0.0), 1.0, 0.5); /* the same but for rounding */
+    geom_pair twins = pair_make(&i, &j);
+    tangent = tangent_make(&twins, 1, 1, 1);
+    assert_exact(tangent_leg(&tangent, 0.625, 0.0).normal, 0.625);
+    assert_near(tangent_leg(&tangent, 0.625, 0.0).length, 0.0, 1e-15);
+    i = disc_make(point_make(1.0, 2.0), 1.0, 0.5), j = disc_make(point_make(3.0, 2.0), 0.5, 0.75);
     geom_pair apart = pair_make(&i, &j);
     tangent = tangent_make(&apart, 1, 1, 1);
     assert_near(tangent_leg(&tangent, 0.625, 0.0).normal, tangent_heading(&tangent, 0.0) - i.theta, 1e-15);

@@ -84,13 +84,13 @@ static int task_may_touch(const leave_task *task, const geom_tangent *tangent, u
     return target != ENGINE_GOAL && !task_is_start(task) && tangent->to_side != tangent->side && shrinks;
 }
 
-/* Push the leg of one branch, if it leaves this chunk. */
+/* Push the leg of one branch, if it leaves this chunk. From a start, whose radius is 0, the second root has none: w = 0, and L would be below 0. */
 static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t target, int to_side, int root, int is_apart)
 {
     const geom_ride *motion = &task->wedge.motion;
     double leave = motion->start;
     geom_tangent tangent = tangent_make(pair, motion->side, to_side, root);
-    if (*task->done || !tangent_possible(&tangent)) return TDSP_OK;
+    if (*task->done || !tangent_possible(&tangent) || (task_is_start(task) && root < 0)) return TDSP_OK;
     int leaves = task_is_start(task) ? 1
                  : is_apart          ? tangent_leave_apart(&tangent, motion->angle, motion->start, motion->end, &leave)
                                      : tangent_leave(&tangent, motion->angle, motion->start, motion->end, &leave);

@@ -11,14 +11,15 @@
 geom_pair pair_make(const geom_disc *from, const geom_disc *to)
 {
     tdsp_point between = point_sub(to->center, from->center);
-    geom_pair pair = {from, to, point_length(between), atan2(between.y, between.x)};
+    geom_pair pair = {from, to, point_length(between), 0.0, atan2(between.y, between.x)};
+    pair.farthest = pair.distance * (1.0 + GEOM_DOMAIN) + tolerance_place(to->center);
     return pair;
 }
 
 geom_tangent tangent_make(const geom_pair *pair, int side, int to_side, int root)
 {
     const geom_disc *i = pair->from, *j = pair->to;
-    geom_tangent tangent = {i, j, side, to_side, root, pair->distance, pair->bearing, 0.0, 0.0};
+    geom_tangent tangent = {i, j, side, to_side, root, pair->distance, pair->farthest, pair->bearing, 0.0, 0.0};
     tangent.cos_alpha = i->rate * j->rate + side * to_side * i->sine * j->sine;
     tangent.sin_alpha = side * i->sine * j->rate - to_side * i->rate * j->sine;
     if (side == to_side && i->rate == j->rate) {
@@ -99,7 +100,7 @@ geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
 /* The times between t0 and t1 at which |K| <= |D|: *lo > *hi where there are none. */
 static void domain_of_k(const geom_tangent *tangent, double t0, double t1, double *lo, double *hi)
 {
-    double limit = tangent->distance * (1.0 + GEOM_DOMAIN);
+    double limit = tangent->farthest;
     double k0 = tangent_k(tangent, t0);
     double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
     *lo = t0;
@@ -127,9 +128,8 @@ static int gap_open(const geom_tangent *tangent, double t0, double *lo, double *
     double k0 = tangent_k(tangent, t0), w0 = tangent_w(tangent, t0);
     double k1 = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
     double w1 = -tangent->to_side * tangent->from->rate * tangent->sin_alpha;
-    double scale = tangent->distance * tangent->distance;
     double a = k1 * k1 + w1 * w1, b = k0 * k1 + w0 * w1;
-    double c = k0 * k0 + w0 * w0 - scale * (1.0 + GEOM_DOMAIN);
+    double c = k0 * k0 + w0 * w0 - tangent->farthest * tangent->farthest;
     *lo = -INFINITY;
     *hi = INFINITY;
     if (a == 0.0) return c <= 0.0;

@@ -30,6 +30,7 @@ typedef struct geom_tangent {
     int to_side; /* q */
     int root;    /* rho */
     double distance;
+    double farthest;   /* |D| as far as rounding may have it: the ends of the domain are closed */
     double bearing;    /* arg(D) */
     double cos_alpha;
     double sin_alpha;
@@ -40,6 +41,7 @@ typedef struct geom_pair {
     const geom_disc *from;
     const geom_disc *to;
     double distance;
+    double farthest;
     double bearing;
 } geom_pair;
 

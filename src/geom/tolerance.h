@@ -28,10 +28,16 @@
 /* Relative slack of the closed ends of a tangent's domain, so that legs of length 0 are not lost. */
 #define GEOM_DOMAIN 1e-13
 
+/* How well a length is known that was computed from coordinates. */
+static inline double tolerance_place(tdsp_point center)
+{
+    return GEOM_PLACE * (1.0 + fabs(center.x) + fabs(center.y));
+}
+
 /* The depth that is still a touch for a disc at `center`, `sizes` being distance plus radius. */
 static inline double tolerance_touch(tdsp_point center, double sizes)
 {
-    return GEOM_CONTACT * sizes + GEOM_PLACE * (1.0 + fabs(center.x) + fabs(center.y));
+    return GEOM_CONTACT * sizes + tolerance_place(center);
 }
 
 /* Rounding of a moment that is counted from time 0, relative to it: of when a disc covers a place, and of a departure. */

@@ -7,6 +7,7 @@
  */
 #include <string.h>
 
+#include "geom/angle.h"
 #include "growth/growth.h"
 #include "growth/rider.h"
 #include "tdsp/path.h"
@@ -121,14 +122,15 @@ static tdsp_status append_all(const growth_solver *self, growth_path *out)
     return status;
 }
 
+/* Radii and angle stay the ride's own, not those of the places: on a disc much smaller than the coordinates the places say where to no more than a part of a turn. */
 static void leg_to_user(const tdsp_scene *scene, tdsp_leg *leg, tdsp_point center)
 {
     double speed = scene->journey.speed, bend = speed / scene->time;
     if (leg->kind == TDSP_LEG_LINE) return;
     leg->center = center;
-    leg->radius_from = point_distance_in_scene(leg->from, center);
-    leg->radius_to = point_distance_in_scene(leg->to, center);
-    leg->angle_from = atan2(leg->from.y - center.y, leg->from.x - center.x);
+    leg->radius_from *= scene->length;
+    leg->radius_to *= scene->length;
+    leg->angle_from = angle_wrap(leg->angle_from);
     leg->rate_from *= speed;
     leg->rate_to *= speed;
     leg->bend_from *= bend;

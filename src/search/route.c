@@ -4,6 +4,7 @@
  * The chain of labels is walked back from the goal; each ride gives an arc (where it lasts) and each leg a line (where it has a length).
  * Neighbouring legs share their end to the bit: a leg starts where and when the one before ended.
  */
+#include "geom/angle.h"
 #include "geom/spiral.h"
 #include "search/general.h"
 
@@ -75,12 +76,10 @@ static void path_turn_round(tdsp_solver *solver)
     }
 }
 
-static double leg_angle(const tdsp_leg *arc)
-{
-    return atan2(arc->from.y - arc->center.y, arc->from.x - arc->center.x);
-}
-
-/* Units, and the joins. An arc starts where the line before it ended: its first radius and angle say the same to rounding. */
+/*
+ * Units, and the joins. An arc starts where the line before it ended: its first radius and angle say the same to rounding. They are the ride's own, not those of the places: on
+ * a disc much smaller than the coordinates a place says where to no more than a part of a turn, and the spiral goes on from there to where the disc is large.
+ */
 static void path_finish(tdsp_solver *solver, double departure, double arrival)
 {
     const tdsp_scene *scene = solver->scene;
@@ -98,9 +97,9 @@ static void path_finish(tdsp_solver *solver, double departure, double arrival)
         if (leg->kind != TDSP_LEG_ARC) continue;
         const tdsp_disc *disc = &scene->discs[leg->disc];
         leg->center = disc->center;
-        leg->radius_from = point_distance_in_scene(leg->from, leg->center);
-        leg->radius_to = point_distance_in_scene(leg->to, leg->center);
-        leg->angle_from = leg_angle(leg);
+        leg->radius_from *= scene->length;
+        leg->radius_to *= scene->length;
+        leg->angle_from = angle_wrap(leg->angle_from);
     }
 }
 

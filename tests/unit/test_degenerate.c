@@ -87,6 +87,25 @@ static void a_destination_on_the_boundary_of_a_pebble_is_reached(void **state)
     assert_true(agreed_arrival(&d, 0.0) < INFINITY);
 }
 
+static void a_destination_behind_a_pebble_that_it_touches_is_ridden_to(void **state)
+{
+    (void)state;
+    const degenerate d = {
+        {0x1p-20, 0.0, {-1048576.0, 0.0}, {1556480.0, -1998848.0}}, 1, {{{1556479.0766198053, -1998847.5031291477}, 1.048576, 0.0}}};
+    assert_true(agreed_arrival(&d, 0.0) < INFINITY);
+}
+
+/* The ride begins on a radius of 2e-8, where places say the angle to 5e-9, and ends on one of 1.3. */
+static void a_spiral_out_of_almost_nothing_ends_where_its_angle_says(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 1e-12, {-1.0, 0.0}, {-0.75, -2.0}}, 1, {{{-1.0000000008585634, -5.1270718232044204e-10}, 0.0, 0.999}}};
+    tdsp_scene *scene = scene_of(&d);
+    assert_near(arrival_by(scene, TDSP_METHOD_AUTO, 3.9288208455629492e-10), 2.017294844, 1e-8);
+    assert_near(arrival_by(scene, TDSP_METHOD_GENERAL, 3.9288208455629492e-10), 2.017294844, 1e-8);
+    tdsp_scene_free(scene);
+}
+
 static void a_point_that_grows_a_hair_from_the_source_covers_it_last(void **state)
 {
     (void)state;
@@ -97,11 +116,37 @@ static void a_point_that_grows_a_hair_from_the_source_covers_it_last(void **stat
     assert_near(last_departure(&d), covered, 1e-12);
 }
 
+/* So late that the arrival and the end of the ride before it are rounded apart: the last leg ran backwards in time. */
+static void a_path_at_the_end_of_a_long_wait_does_not_run_backwards(void **state)
+{
+    (void)state;
+    const degenerate d = {{1e-6, 0.0, {-1048576001048576.0, 524288000000000.0}, {-1048575997919232.0, 524288002080768.0}},
+                          1,
+                          {{{-1048575998771200.0, 524288001228800.0}, 1e-6, 1e-15}}};
+    tdsp_scene *scene = scene_of(&d);
+    assert_true(arrival_by(scene, TDSP_METHOD_AUTO, last_departure(&d)) < INFINITY);
+    tdsp_scene_free(scene);
+}
+
+/* Legs of the other root, which from a point have a length below 0, were taken for legs of length 0 to the wrong side. */
+static void a_source_a_hair_off_a_boundary_is_left_both_ways_round(void **state)
+{
+    (void)state;
+    const degenerate exact = {{0.3, 0.0, {0.0, -0.5}, {-0.921875, -1.609375}}, 1, {{{-0.59509565564332778, -0.17977904739695677}, 0.67578125, 0.0375}}};
+    const degenerate nearly = {{0.3, 1e-300, {999.0, -500.0}, {998.5, -500.015625}}, 1, {{{998.98486238532109, -499.75045871559621}, 0.25, 0.036}}};
+    assert_near(agreed_arrival(&exact, 0.0), 4.8229085031310035, 1e-10);
+    assert_near(agreed_arrival(&nearly, 0.0), 1.66797954347241, 1e-10);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_destination_a_hair_beyond_a_boundary_is_not_ridden_past),
         cmocka_unit_test(a_destination_on_the_boundary_of_a_pebble_is_reached),
+        cmocka_unit_test(a_source_a_hair_off_a_boundary_is_left_both_ways_round),
+        cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
+        cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),
+        cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

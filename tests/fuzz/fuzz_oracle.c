@@ -184,6 +184,7 @@ static void fuzz_check(fuzz_input *in, const tdsp_oracle *oracle)
     for (size_t i = 0; i < found.count; i++) {
         fuzz_require((found.broken >> found.found[i].rule & 1u) == 1u && found.times[found.found[i].rule] > 0);
         fuzz_require(strcmp(tdsp_oracle_finding_text(&found.found[i]), "unknown") != 0);
+        fuzz_require(strcmp(tdsp_oracle_rule_name(found.found[i].rule), "unknown") != 0 && strcmp(tdsp_oracle_callback_name(found.found[i].callback), "unknown") != 0);
     }
 }
 

@@ -97,12 +97,17 @@ static void solve_many(const fuzz_job *job, double departure, double arrival)
 /* Other ends for one question, for all, and the scene's own again. */
 static void solve_other_ends(const fuzz_job *job, double departure)
 {
+    tdsp_ends held;
+    double latest = NAN, arrives = NAN;
     const tdsp_ends ends = {job->w->journey.source, job->w->other};
     double arrival = NAN, again = NAN;
     const tdsp_status status = tdsp_earliest_arrival_for(job->solver, &ends, departure, &arrival);
     if (!job_answered(job, status)) return;
     world_require(job->w, tdsp_solver_set_ends(job->solver, &ends) == TDSP_OK, "ends for one question only", departure, arrival);
     world_require(job->w, tdsp_earliest_arrival(job->solver, departure, &again) == status, "the same question has another status", departure, arrival);
+    world_require(job->w, tdsp_solver_ends(job->solver, &held) == TDSP_OK && held.destination.x == ends.destination.x, "other ends are held", held.destination.x, ends.destination.x);
+    if (status == TDSP_OK && tdsp_latest_departure_for(job->solver, &ends, arrival, &latest, &arrives) == TDSP_OK)
+        world_require(job->w, arrives >= latest && arrives <= arrival, "the latest departure arrives too late", latest, arrives);
     world_require(job->w, tdsp_solver_set_ends(job->solver, NULL) == TDSP_OK, "the scene's own ends are refused", departure, arrival);
     world_require(job->w, again == arrival, "the same question has another answer", arrival, again);
 }
@@ -116,6 +121,17 @@ static void solve_gap(const fuzz_job *job, double departure, double arrival)
     const double error = job_error(job, departure, arrival);
     world_require(job->w, gap.first < job->w->count && gap.second < job->w->count && gap.first != gap.second, "a gap between what is not there", departure, arrival);
     world_require(job->w, gap.time >= departure - error && gap.time <= arrival + error, "a gap at another time", gap.time, arrival);
+}
+
+/* What a solver says of itself, and words for numbers that are none. */
+static void solve_words(const fuzz_job *job)
+{
+    tdsp_solver_work work;
+    const tdsp_status status = (tdsp_status)((int)job->w->choice - 8);
+    world_require(job->w, tdsp_solver_scene(job->solver) == job->scene, "another scene", 0.0, 0.0);
+    world_require(job->w, tdsp_solver_work_done(job->solver, &work) == TDSP_OK, "no work done", 0.0, 0.0);
+    world_require(job->w, *tdsp_method_name(tdsp_solver_method(job->solver)) && *tdsp_version(), "no name", 0.0, 0.0);
+    world_require(job->w, *tdsp_method_name((tdsp_method)job->w->choice) && *tdsp_status_name(status) && *tdsp_status_text(status), "no word", 0.0, 0.0);
 }
 
 static void solve_all(const fuzz_job *job)
@@ -142,6 +158,7 @@ int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size)
     world_read(&w, &in);
     if (!job_open(&job, &w, TDSP_METHOD_AUTO)) return 0;
     solve_all(&job);
+    solve_words(&job);
     job_close(&job);
     return 0;
 }

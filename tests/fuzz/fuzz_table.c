@@ -3,8 +3,7 @@
  * not lead a read astray.
  *
  * The input is taken three times: as it is; with the checksums put right, which lets the fuzzer through to what lies behind them;
- * and, when that opens, with bytes changed afterwards. Built without libFuzzer and with -DFUZZ_MAIN it runs the files named
- * on its command line.
+ * and, when that opens, with bytes changed afterwards.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -55,27 +54,3 @@ int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size)
     free(block);
     return 0;
 }
-
-#ifdef FUZZ_MAIN
-static int fuzz_file(const char *name)
-{
-    FILE *file = fopen(name, "rb");
-    if (!file) return 0;
-    static unsigned char bytes[1 << 20];
-    size_t size = fread(bytes, 1, sizeof bytes, file);
-    int good = !ferror(file);
-    fclose(file);
-    if (good) LLVMFuzzerTestOneInput(bytes, size);
-    return good;
-}
-
-int main(int argc, char **argv)
-{
-    for (int i = 1; i < argc; i++) {
-        if (fuzz_file(argv[i])) continue;
-        fprintf(stderr, "%s: cannot read\n", argv[i]);
-        return 1;
-    }
-    return 0;
-}
-#endif

@@ -42,11 +42,8 @@ static gboolean add_line(GArray *times, const char *path, guint number, char *li
     return TRUE;
 }
 
-gboolean times_add_file(GArray *times, const char *path, GError **error)
+gboolean times_add_text(GArray *times, const char *path, char *text, gsize length, GError **error)
 {
-    g_autofree char *text = NULL;
-    gsize length;
-    if (!file_in_read(path, &text, &length, error)) return FALSE;
     guint number = 1;
     for (char *line = text, *next; line; line = next, number++) {
         char *end = memchr(line, '\n', (gsize)(text + length - line));
@@ -58,4 +55,11 @@ gboolean times_add_file(GArray *times, const char *path, GError **error)
     }
     if (times->len == 0) return cli_fail(error, CLI_INPUT, "%s: no number in it", cli_file_name(path));
     return TRUE;
+}
+
+gboolean times_add_file(GArray *times, const char *path, GError **error)
+{
+    g_autofree char *text = NULL;
+    gsize length;
+    return file_in_read(path, &text, &length, error) && times_add_text(times, path, text, length, error);
 }

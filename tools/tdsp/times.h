@@ -16,4 +16,7 @@ gboolean times_add_all(GArray *times, int argc, char **argv, int first, const ch
 /* Add the numbers of a file ("-": standard input): one a line, '#' begins a comment, empty lines count for nothing. */
 gboolean times_add_file(GArray *times, const char *path, GError **error);
 
+/* The same for the text of a file, which messages call `path`. It is cut up in place, and ends with a zero byte behind its length. */
+gboolean times_add_text(GArray *times, const char *path, char *text, gsize length, GError **error);
+
 #endif

@@ -17,12 +17,22 @@ run-fuzz: $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result) $(CHECK)/fuzz/reached.re
 $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result): $(CHECK)/%.result: $(BUILD)/tests/% FORCE
 	$(RUN) tests/fuzz.sh $(FUZZ_SECONDS) $<
 
+# Asked for by name, a run takes longer than in the check.
+LONG_FUZZ_SECONDS = $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
+
 .PHONY: fuzz
-fuzz: ## fuzz for FUZZ_SECONDS each (default 600)
+fuzz: ## fuzz for FUZZ_SECONDS each (default 600); numbers in build/fuzz/report.csv
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz fuzzers
-	@FUZZ_SEED=$${FUZZ_SEED:-0} FUZZ_REPORT=$(BUILD)/fuzz/report.csv tests/fuzz.sh \
-	  $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
+	@FUZZ_SEED=$${FUZZ_SEED:-0} FUZZ_REPORT=$(BUILD)/fuzz/report.csv tests/fuzz.sh $(LONG_FUZZ_SECONDS) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
+
+# The compiler is the same, and so are the targets; AFL++ brings its counters and its main().
+.PHONY: fuzz-afl
+fuzz-afl: ## the same under AFL++; numbers in build/afl/report.csv
+	@tools/setup/packages.sh trust
+	+@AFL_CC=$(CLANG) AFL_LLVM_INSTRUMENT=LLVM-NATIVE AFL_QUIET=1 $(MAKE) --no-print-directory -s FUZZ=1 CC=afl-clang-fast BUILD=$(BUILD)/afl fuzzers
+	@tests/fuzz/afl.sh $(LONG_FUZZ_SECONDS) $(BUILD)/afl $(FUZZ_SOURCES:tests/fuzz/%.c=%)
+
 .PHONY: fuzzers
 fuzzers: $(FUZZERS)
 

@@ -46,6 +46,7 @@ has_library() { has_command pkg-config && pkg-config --exists "$1"; }
 has_cmocka() { has_library cmocka; }
 has_cross() { c_program | compiles "$1-linux-gnu-gcc" c; }
 has_cross_hf() { c_program | compiles "$1-linux-gnueabihf-gcc" c; }
+has_afl() { has_command afl-fuzz && fuzz_program | AFL_CC=clang-19 AFL_LLVM_INSTRUMENT=LLVM-NATIVE AFL_QUIET=1 compiles afl-clang-fast c -fsanitize=fuzzer,address,undefined; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
 need gcc has_gcc
@@ -79,9 +80,9 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
 fi
 if [ "$tier" = trust ]; then
     need frama-c-base has_command frama-c
-    need afl++ has_command afl-fuzz
     need gcc-arm-linux-gnueabihf has_cross_hf arm
     need libc6-dev-armhf-cross has_cross_hf arm
+    need afl++ has_afl
 fi
 
 [ ${#missing[@]} -eq 0 ] && exit 0

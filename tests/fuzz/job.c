@@ -38,6 +38,15 @@ int job_answered(const fuzz_job *job, tdsp_status status)
     }
 }
 
+static void job_print_leg(const tdsp_leg *leg)
+{
+    fprintf(stderr, "kind %u of disc %u, turn %d: from %.17g (%.17g, %.17g) to %.17g (%.17g, %.17g)\n", leg->kind, leg->disc, leg->turn, leg->start_time, leg->from.x,
+            leg->from.y, leg->end_time, leg->to.x, leg->to.y);
+    if (leg->kind == TDSP_LEG_LINE) return;
+    fprintf(stderr, "  radii %.17g %.17g, angle %.17g, sweep %.17g, rates %.17g %.17g, bends %.17g %.17g, speed %.17g\n", leg->radius_from, leg->radius_to, leg->angle_from,
+            leg->sweep, leg->rate_from, leg->rate_to, leg->bend_from, leg->bend_to, leg->speed);
+}
+
 void job_check_path(const fuzz_job *job, double departure, double arrival)
 {
     static tdsp_leg legs[MOST_LEGS];
@@ -50,6 +59,7 @@ void job_check_path(const fuzz_job *job, double departure, double arrival)
     if (checked != TDSP_OK || !verdict.problems) return;
     fprintf(stderr, "problems %u, leg %zu of %zu, clearance %.17g of disc %u at %.17g, tolerance %.3g\n", verdict.problems, verdict.leg, count,
             verdict.min_clearance, verdict.disc, verdict.time, verdict.tolerance);
+    if (count) job_print_leg(&legs[verdict.leg]);
     world_require(job->w, 0, "the verifier rejects the path", departure, arrival);
 }
 

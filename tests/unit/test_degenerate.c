@@ -138,6 +138,33 @@ static void a_source_a_hair_off_a_boundary_is_left_both_ways_round(void **state)
     assert_near(agreed_arrival(&nearly, 0.0), 1.66797954347241, 1e-10);
 }
 
+/* R(t) = radius + rate t / (1 + t / span) */
+typedef struct slowing {
+    double radius, rate, span;
+} slowing;
+
+static void slowing_at(void *ctx, double time, double *radius, double *rate)
+{
+    const slowing *law = ctx;
+    const double slowed = 1.0 + time / law->span;
+    *radius = law->radius + law->rate * time / slowed;
+    *rate = law->rate / (slowed * slowed);
+}
+
+/* Curves of 1e-7 of the journey were near enough to the ride for their place, and not for their speed. */
+static void a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed(void **state)
+{
+    (void)state;
+    slowing law = {0.734375, 0.94, 1e-6};
+    const tdsp_journey journey = {1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}};
+    const tdsp_growing_disc disc = {
+        {-1.4091154849861591, 0.60986159252595151}, 0.734375, {.kind = TDSP_GROWTH_LAW, .law = slowing_at, .ctx = &law, .until = 16.0}};
+    tdsp_scene *scene;
+    assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+    assert_near(arrival_by(scene, TDSP_METHOD_AUTO, 0.0), 2.0, 1e-6);
+    tdsp_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -147,6 +174,7 @@ int main(void)
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
+        cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

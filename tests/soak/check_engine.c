@@ -95,6 +95,25 @@ void soak_check_many(soak_case *c)
     (void)tdsp_solver_set_ends(c->world.solver, NULL);
 }
 
+/* Other ends, in half of the cases the scene's own the other way round. The two frames differ, and a journey's unit with them. */
+void soak_check_ends(soak_case *c)
+{
+    static soak_scene other;
+    const tdsp_journey *j = &c->scene->journey;
+    tdsp_ends ends = {j->destination, j->source};
+    soak_world world;
+    if (soak_pick(c, 2)) ends = (tdsp_ends){place_near(c), place_near(c)};
+    soak_copy(&other, c->scene);
+    other.journey.source = ends.source;
+    other.journey.destination = ends.destination;
+    if (soak_open(&other, TDSP_METHOD_AUTO, &world) != TDSP_OK) return;
+    if (tdsp_solver_set_ends(c->world.solver, &ends) != TDSP_OK) soak_fail(c, INFINITY, "ends are refused");
+    world.unit = fmax(world.unit, c->world.unit);
+    soak_agrees(c, &world, c->departure, soak_ask(c, &c->world, c->departure), "between other ends");
+    (void)tdsp_solver_set_ends(c->world.solver, NULL);
+    soak_close(&world);
+}
+
 /* ---------------------------------------------------------------------------------------------------------------- table */
 
 static void holds(soak_case *c, const tdsp_table *table, double departure)

@@ -29,6 +29,7 @@
     X(fewer, 20, 64, 64, "with a disc less nothing arrives later, and a disc inside another changes nothing")                    \
     X(slow, 6, 3, 2, "the slow solvers have the same arrival")                                                                   \
     X(many, 5, 64, 8, "one search for many destinations has the arrivals that they have one by one")                             \
+    X(ends, 8, 64, 8, "a solver asked about other ends has the arrival of a scene that has these ends")                          \
     X(table, 1, 16, 4, "a table is verified, and its intervals hold the arrivals")
 
 typedef enum soak_check {

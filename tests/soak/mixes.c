@@ -96,6 +96,26 @@ static void turn_anyhow(uint64_t *chance, soak_scene *scene, soak_mix mix)
     soak_place(scene, &change);
 }
 
+static void make_any(uint64_t *chance, soak_scene *scene)
+{
+    if (chance_below(chance, 2))
+        make_rates(chance, (random_mix)chance_below(chance, RANDOM_MIX_COUNT), scene);
+    else
+        make_growth(chance, (grown_mix)chance_below(chance, GROWTH_MIX_COUNT), scene);
+}
+
+/* The scene in units a great deal smaller or larger, or moved far off. */
+static void make_elsewhere(uint64_t *chance, soak_scene *scene)
+{
+    const double power = pow(10.0, chance_between(chance, 5.0, 9.0)), angle = chance_between(chance, 0.0, 6.28);
+    const uint64_t kind = chance_below(chance, 3);
+    const double length = kind == 0 ? power : kind == 1 ? 1.0 / power : 1.0, far = kind == 2 ? power : 0.0;
+    const grown_change change = {
+        {1.0, 0.0}, {far * cos(angle), far * sin(angle)}, length, chance_below(chance, 2) ? 1.0 : length, 0};
+    make_any(chance, scene);
+    soak_place(scene, &change);
+}
+
 static void make_degenerate(uint64_t *chance, soak_mix mix, soak_scene *scene)
 {
     if (mix == SOAK_MIX_snapped) {
@@ -106,6 +126,10 @@ static void make_degenerate(uint64_t *chance, soak_mix mix, soak_scene *scene)
     if (mix == SOAK_MIX_snapped_growth) {
         make_growth(chance, (grown_mix)chance_below(chance, GROWTH_MIX_COUNT), scene);
         snap_scene(chance, scene);
+        return;
+    }
+    if (mix == SOAK_MIX_elsewhere) {
+        make_elsewhere(chance, scene);
         return;
     }
     scene->journey = (tdsp_journey){1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}};

@@ -26,6 +26,7 @@
     X(crowd, "hundreds of overlapping discs")                                                                                    \
     X(snapped, "any mix of discs of one rate, its numbers rounded to multiples of 1/16 or 1/64 of the journey")                  \
     X(snapped_growth, "likewise of discs whose rates change")                                                                    \
+    X(elsewhere, "any mix, of changing rates too, at coordinates of 1e9 or 1e-9, or a journey of 1 at up to 1e9")                \
     X(near_ends, "a source and a destination that are equal, or next to each other")
 
 typedef enum soak_mix {

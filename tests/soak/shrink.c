@@ -31,6 +31,7 @@ static double seconds_used(void)
 int soak_fails(const soak_scene *scene, soak_failure *failure)
 {
     soak_case c = {.scene = scene, .departure = failure->departure, .later = failure->later, .pick = failure->pick};
+    if (!isfinite(c.departure) || !isfinite(c.later) || c.departure < 0.0) return 0;
     const tdsp_status status = soak_open(scene, TDSP_METHOD_AUTO, &c.world);
     if (status != TDSP_OK) return 0;
     soak_check_run(failure->check, &c);

@@ -57,7 +57,7 @@ int soak_open_moved(const soak_case *c, const soak_world *world, double sign, so
     static soak_scene scenes[2]; /* one for each sign: both may be open */
     soak_scene *scene = &scenes[sign > 0.0];
     soak_copy(scene, world->is);
-    soak_inflate(scene, sign * c->looser * SOAK_TOUCH, sign * c->looser * SOAK_ROUNDING);
+    soak_inflate(scene, sign * c->looser * c->touches * SOAK_TOUCH, sign * c->looser * SOAK_ROUNDING, c->later);
     tdsp_ends ends;
     if (soak_open(scene, TDSP_METHOD_AUTO, moved) != TDSP_OK) return 0;
     return tdsp_solver_ends(world->solver, &ends) == TDSP_OK && tdsp_solver_set_ends(moved->solver, &ends) == TDSP_OK;

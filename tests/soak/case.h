@@ -13,7 +13,7 @@
  *
  * Where they differ by more, a touch may have been decided otherwise: what is no deeper than 1e-12 of distance and radius counts as none
  * (src/geom/tolerance.h), and data is rounded. The arrival is then no earlier than among discs smaller by SOAK_TOUCH of distance and radius and by
- * SOAK_ROUNDING of the greatest coordinate, and no later than among discs as much larger. These are seen from a departure earlier, or later, by
+ * SOAK_ROUNDING of the greatest coordinate and of the way that the robot could go from time 0 on, and no later than among discs as much larger. These are seen from a departure earlier, or later, by
  * SOAK_TOUCH of the times at hand.
  */
 #define SOAK_SAME 1e-10
@@ -24,9 +24,10 @@ typedef struct soak_case {
     const soak_scene *scene;
     soak_world world; /* the scene, open */
     double departure;
-    double later;  /* another departure, not before */
-    uint64_t pick; /* for the check's own choices */
-    double looser; /* multiplies the three numbers above, for arbiters that know less well; 1 at first */
+    double later;   /* another departure, not before */
+    uint64_t pick;  /* for the check's own choices */
+    double looser;  /* multiplies the three numbers above, for arbiters that know less well; 1 at first */
+    double touches; /* 0 where touches excuse nothing, and only the rounding of places and times does; 1 at first */
     int failed;
     char what[160];
     double excess;          /* by how much it is wrong, as a share of the journey's time; infinite where there is no number */

@@ -119,10 +119,10 @@ void soak_place(soak_scene *scene, const grown_change *change)
     for (size_t i = 0; i < scene->count; i++) place_disc(&scene->discs[i], change);
 }
 
-void soak_inflate(soak_scene *scene, double share, double rounding)
+void soak_inflate(soak_scene *scene, double share, double rounding, double time)
 {
     const tdsp_point s = scene->journey.source;
-    const double distance = soak_distance(scene), rest = rounding * soak_magnitude(scene);
+    const double distance = soak_distance(scene), rest = rounding * (soak_magnitude(scene) + scene->journey.speed * time);
     for (size_t i = 0; i < scene->count; i++) {
         soak_disc *disc = &scene->discs[i];
         const double away = hypot(disc->center.x - s.x, disc->center.y - s.y);

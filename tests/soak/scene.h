@@ -54,9 +54,11 @@ int soak_has_laws(const soak_scene *scene);
 /* Turned, mirrored before where asked, in other units, moved: as grown_place(). */
 void soak_place(soak_scene *scene, const grown_change *change);
 
-/* Every radius greater by the share of what a path to its disc measures, and by the share `rounding` of the largest number; less where these are
- * negative, but none falls below 0. */
-void soak_inflate(soak_scene *scene, double share, double rounding);
+/*
+ * Every radius greater by the share of what a path to its disc measures, and by the share `rounding` of the largest number in a place at that time; less
+ * where these are negative, but none falls below 0.
+ */
+void soak_inflate(soak_scene *scene, double share, double rounding, double time);
 
 /* A disc's radius with the robot's, by the definition of its law. */
 double soak_radius(const soak_scene *scene, size_t disc, double time);

@@ -108,8 +108,7 @@ static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
     growth_shape *shape = &engine->shapes[ride->disc];
     tdsp_status status = shape_measure(shape, &engine->allocator, ride->run);
     if (status != TDSP_OK) return status;
-    /* From the start both ways round begin at one place and time, and neither covers the other. */
-    if (ride->leg != GROWTH_NONE && wake_covers(engine, ride, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
+    if (wake_covers(engine, ride, ride->normal, &ride->start, GROWTH_NONE)) return TDSP_OK;
     status = memory_reserve(&engine->allocator, (void **)&engine->rides, &engine->ride_capacity, engine->ride_count + 1, sizeof *ride);
     if (status != TDSP_OK) return status;
     ride->now = ride->start;
@@ -150,8 +149,8 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
     if (!rider_next_chunk(shape, engine->question.sign, &ride, &chunk)) return TDSP_OK;
     double whole = chunk.to, limit = engine->limit;
     if (!chunk.base.in_fan) chunk.to = fmin(chunk.to, fmax(chunk.from, limit));
-    ride_changes touches;
-    chunk.to = ride_free_until(engine, &chunk, &touches);
+    ride_changes changes;
+    chunk.to = ride_free_until(engine, &chunk, &changes);
     double free_until = chunk.to;
     engine->latest = fmax(engine->latest, chunk_moment(&chunk, chunk.to).time);
     chunk.to = wake_cut(engine, &chunk, index);
@@ -161,8 +160,8 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
         return TDSP_OK;
     }
     tdsp_status status = chunk.to > chunk.from ? leave_chunk(engine, &chunk, index) : TDSP_OK;
-    for (uint32_t i = 0; i < touches.count && status == TDSP_OK; ++i)
-        if (touches.at[i].at <= chunk.to) status = leave_touch(engine, &chunk, index, touches.at[i].disc, touches.at[i].at);
+    for (uint32_t i = 0; i < changes.count && status == TDSP_OK; ++i)
+        if (changes.at[i].at <= chunk.to) status = leave_touch(engine, &chunk, index, &changes.at[i]);
     if (status != TDSP_OK) return status;
     int is_over = is_cut;
     growth_moment now = is_cut ? chunk_moment(&chunk, chunk.to) : rider_after(&chunk, &is_over);

@@ -82,10 +82,10 @@ static double target_root(const leave_target *target, double a, double fa, doubl
 }
 
 /* The angle between heading and normal with which the line meets the disc. */
-static double landing_theta(const leave_target *target, const sight_line *line, double time)
+static double landing_theta(tdsp_point center, int side, const sight_line *line, double time)
 {
-    tdsp_point outwards = point_sub(sight_place(line, time), target->place);
-    return atan2(target->side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
+    tdsp_point outwards = point_sub(sight_place(line, time), center);
+    return atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
 static tdsp_status target_push(const leave_target *target, double at, double arrive, const sight_nearest *nearest)
@@ -99,7 +99,7 @@ static tdsp_status target_push(const leave_target *target, double at, double arr
     if (nearest) {
         leg.land.span = nearest->span;
         leg.land.in_fan = nearest->is_at_corner;
-        leg.land.theta = landing_theta(target, &leg.line, arrive);
+        leg.land.theta = landing_theta(target->place, target->side, &leg.line, arrive);
     }
     leg.bound = nearest ? point_distance(sight_place(&leg.line, arrive), engine->question.goal) : 0.0;
     return growth_push_leg(engine, &leg);
@@ -291,17 +291,18 @@ tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32
     return status == TDSP_OK ? leave_ahead(engine, &view, ride) : status;
 }
 
-tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32_t ride, uint32_t disc, double at)
+tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32_t ride, const ride_change *change)
 {
-    const growth_shape *shape = engine_shape(engine, disc);
-    growth_moment moment = chunk_moment(chunk, at);
-    growth_leg leg = {.ride = ride, .leave = moment, .line = rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment), .arrive = at, .disc = disc};
-    uint32_t span = sight_span_at(shape, chunk->sign, at);
-    leg.run = shape->spans[span].run;
-    leg.side = side_of(point_cross(leg.line.unit, point_sub(shape->center, leg.line.from)));
-    leg.land.span = span;
-    leg.land.time = at;
-    leg.bound = point_distance(leg.line.from, engine->question.goal);
+    const growth_shape *shape = engine_shape(engine, change->disc);
+    growth_moment moment = chunk_moment(chunk, change->at);
+    sight_line line = rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment);
+    growth_leg leg = {.ride = ride, .leave = moment, .line = line, .arrive = change->at, .disc = change->disc, .run = shape->spans[change->span].run};
+    leg.side = side_of(point_cross(line.unit, point_sub(shape->center, line.from)));
+    leg.land.span = change->span;
+    leg.land.in_fan = change->is_at_corner;
+    leg.land.time = change->at;
+    leg.land.theta = landing_theta(shape->center, leg.side, &line, change->at);
+    leg.bound = point_distance(line.from, engine->question.goal);
     return leg.run == SHAPE_NONE || leg.side == chunk->ride->side ? TDSP_OK : growth_push_leg(engine, &leg);
 }
 

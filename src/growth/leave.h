@@ -16,7 +16,7 @@
 #ifndef GROWTH_LEAVE_H
 #define GROWTH_LEAVE_H
 
-#include "growth/rider.h"
+#include "growth/ride.h"
 
 /* Push the legs that leave a chunk, whose ride has this index. TDSP_OK or TDSP_NO_MEMORY. */
 tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32_t ride);
@@ -25,7 +25,7 @@ tdsp_status leave_chunk(growth_engine *engine, const growth_chunk *chunk, uint32
  * Push the leg of no length that changes over, at a moment of the chunk, to a disc on the other side that is touched there. Whoever is let past a closing gap may also change
  * over, or rounding would leave a way that neither world has, the one with the gap and the one without.
  */
-tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32_t ride, uint32_t disc, double at);
+tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32_t ride, const ride_change *change);
 
 /* Push the legs that leave the start. */
 tdsp_status leave_start(growth_engine *engine);

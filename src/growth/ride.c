@@ -198,9 +198,34 @@ static double pass_touch(const ride_pass *pass, double from, double to)
     return clearance >= -1.0 - TOUCH_SAME && clearance <= 1.0 && sample_clearance(pass, &end) > TOUCH_SAME - 1.0 ? at : INFINITY;
 }
 
+static uint32_t span_next(const ride_pass *pass)
+{
+    return pass->chunk->sign > 0.0 ? pass->span + 1 : pass->span - 1;
+}
+
+/* Is the clearance least, and a touch, at the end of the span, where the rate falls? */
+static int touches_corner(const ride_pass *pass, double at)
+{
+    const growth_shape *other = pass->other;
+    ride_pass after = *pass;
+    after.span = span_next(pass);
+    if (other->spans[pass->span].run == SHAPE_NONE || other->spans[after.span].run != other->spans[pass->span].run) return 0;
+    ride_sample corner = sample_at(pass, at);
+    double clearance = sample_clearance(pass, &corner);
+    return fabs(clearance) <= 1.0 + TOUCH_SAME && sample_slope(pass, &corner) < 0.0 && sample_slope(&after, &corner) >= 0.0;
+}
+
+static void meeting_notes(ride_meeting *meeting, const ride_pass *pass, int is_at_corner, double at)
+{
+    if (!(at < meeting->change.at)) return;
+    meeting->change.span = pass->span;
+    meeting->change.is_at_corner = is_at_corner;
+    meeting->change.at = at;
+}
+
 ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
 {
-    ride_meeting meeting = {chunk->to, 0, INFINITY};
+    ride_meeting meeting = {chunk->to, 0, {0, SHAPE_NONE, 0, INFINITY}};
     growth_moment begin = chunk_moment(chunk, chunk->from);
     if (other == chunk->shape || chunk->base.in_fan) return meeting; /* a fan is turned on the spot */
     if (is_far(chunk, other, rider_place(chunk->shape, chunk->sign, chunk->ride, &begin))) return meeting;
@@ -211,9 +236,11 @@ ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
         double end = span_ends(&other->spans[pass.span], chunk->sign), to = fmin(chunk->to, end);
         pass.least = INFINITY;
         meeting.free_until = pass_span(&pass, from, to, &meeting.is_stopped);
-        if (!meeting.is_stopped) meeting.touch = fmin(meeting.touch, pass_touch(&pass, from, to));
-        if (meeting.is_stopped || end >= chunk->to) return meeting;
-        pass.span = chunk->sign > 0.0 ? pass.span + 1 : pass.span - 1;
+        if (meeting.is_stopped) return meeting;
+        meeting_notes(&meeting, &pass, 0, pass_touch(&pass, from, to));
+        if (end >= chunk->to) return meeting;
+        if (touches_corner(&pass, to)) meeting_notes(&meeting, &pass, 1, to);
+        pass.span = span_next(&pass);
         from = to;
     }
 }
@@ -222,26 +249,24 @@ ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
 typedef struct free_part {
     growth_engine *engine;
     growth_chunk chunk;
-    ride_changes *touches;
+    ride_changes *changes;
 } free_part;
 
 static int visit_free(void *ctx, uint32_t disc)
 {
     free_part *part = ctx;
-    ride_changes *touches = part->touches;
+    ride_changes *changes = part->changes;
     ride_meeting meeting = ride_meets(&part->chunk, engine_shape(part->engine, disc));
     part->chunk.to = meeting.free_until;
-    if (meeting.touch < INFINITY && touches->count < RIDE_CHANGES) {
-        ride_change touch = {disc, meeting.touch};
-        touches->at[touches->count++] = touch;
-    }
+    meeting.change.disc = disc;
+    if (meeting.change.at < INFINITY && changes->count < RIDE_CHANGES) changes->at[changes->count++] = meeting.change;
     return part->chunk.to > part->chunk.from;
 }
 
-double ride_free_until(growth_engine *engine, const growth_chunk *chunk, ride_changes *touches)
+double ride_free_until(growth_engine *engine, const growth_chunk *chunk, ride_changes *changes)
 {
-    free_part part = {engine, *chunk, touches};
-    touches->count = 0;
+    free_part part = {engine, *chunk, changes};
+    changes->count = 0;
     if (!chunk->base.in_fan) {
         growth_moment begin = chunk_moment(chunk, chunk->from);
         tdsp_point place = rider_place(chunk->shape, chunk->sign, chunk->ride, &begin);

@@ -14,21 +14,24 @@
 
 #include "growth/rider.h"
 
+/* Where a chunk passes another disc at a touch, and could as well ride on that disc. */
+typedef struct ride_change {
+    uint32_t disc;
+    uint32_t span;    /* of that disc */
+    int is_at_corner; /* at the span's end, where the rate falls */
+    double at;        /* INFINITY: nowhere */
+} ride_change;
+
 typedef struct ride_meeting {
     double free_until; /* the parameter up to which the chunk is free of the other disc; its end where it always is */
     int is_stopped;    /* ... by the disc, not by the chunk's end */
-    double touch;      /* where it is let past at a touch, and could as well ride on the other disc; INFINITY: nowhere */
+    ride_change change;
 } ride_meeting;
 
 ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other);
 
-/* Who is let past at a touch, and may change over: more of them on one chunk are left out. */
+/* More on one chunk are left out. */
 #define RIDE_CHANGES 8
-
-typedef struct ride_change {
-    uint32_t disc;
-    double at;
-} ride_change;
 
 typedef struct ride_changes {
     uint32_t count;

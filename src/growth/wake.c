@@ -58,7 +58,7 @@ int wake_covers(growth_engine *engine, const growth_ride *rider, double normal, 
         const growth_ride *ride = &engine->rides[r];
         if (r == self || ride->run != rider->run) continue;
         if (engine->question.explain && ride->side != rider->side) continue;
-        int is_older = self == GROWTH_NONE || (r < self && ride->side == engine->rides[self].side);
+        int is_older = (self == GROWTH_NONE || r < self) && ride->side == rider->side;
         if (ride_passed(shape, engine->question.sign, ride, normal, moment, is_older, &when) &&
             radius_is_free(engine, rider->disc, normal, when, moment->time))
             return 1;

@@ -58,7 +58,8 @@ tdsp_status crew_run(const crew *c, tdsp_task task, void *ctx, size_t count)
             c->probes[0].all = c->sampler->probe.all;
         }
         options->run_tasks(options->run_tasks_ctx, task, ctx, count);
-        return probe_report_progress(&c->sampler->probe);
+        const int is_cancelled = c->count > 0 && c->probes[0].is_cancelled;
+        return is_cancelled ? TDSP_CANCELLED : probe_report_progress(&c->sampler->probe);
     }
     for (size_t i = 0; i < count; i++) task(ctx, i, 0);
     return TDSP_OK;

@@ -53,9 +53,10 @@ static tdsp_status error_of(tdsp_status status)
     return tdsp_status_is_answer(status) ? TDSP_BAD_ORACLE : status;
 }
 
-tdsp_status probe_report_progress(const probe *p)
+tdsp_status probe_report_progress(probe *p)
 {
-    return p->progress && p->progress(p->progress_ctx, p->settled, p->all) != 0 ? TDSP_CANCELLED : TDSP_OK;
+    if (p->progress && !p->is_cancelled) p->is_cancelled = p->progress(p->progress_ctx, p->settled, p->all) != 0;
+    return p->is_cancelled ? TDSP_CANCELLED : TDSP_OK;
 }
 
 /* The answer as the oracle gave it. */

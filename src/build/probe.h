@@ -35,7 +35,8 @@ typedef struct probe {
     int by_arrival;         /* values are A(t), not T(t) */
     tdsp_progress progress; /* asked before each call; may be NULL */
     void *progress_ctx;
-    double settled; /* for progress */
+    int is_cancelled; /* it said so: not asked again, and no call is made any more */
+    double settled;   /* for progress */
     double all;
     double delta; /* of the travel time: what probe_roughly() leaves to the oracle; 0 for exact answers everywhere */
     uint64_t forward_calls;
@@ -88,7 +89,7 @@ double probe_blur(const probe *p, const sample *s);
 double probe_margin(const probe *p, double arrival);
 
 /* Ask whether to go on: TDSP_OK or TDSP_CANCELLED. */
-tdsp_status probe_report_progress(const probe *p);
+tdsp_status probe_report_progress(probe *p);
 
 /* A sample's travel time bounds, whatever its value is. */
 double probe_travel_upper(const probe *p, const sample *s);

@@ -36,9 +36,12 @@ $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
 	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=150 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
 
 # The operations of the command on files; signals at one in 20 of the steps of long work.
-checks += file-faults
+checks += file-faults no-memory-calls
 $(CHECK)/file-faults.result: $(COMMAND) $(SHIMMED)
 	$(RUN) env TDSP_SHIMMED=$(abspath $(SHIMMED)) SHIM_EVERY=20 $(PYTHON) tests/faults/files.py
+
+# No public function is left out of the tests without memory.
+$(CHECK)/no-memory-calls.result: all ; $(RUN) $(PYTHON) tests/faults/check_calls.py $(BUILD)
 
 steps += check-faults
 .PHONY: check-faults

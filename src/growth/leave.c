@@ -88,11 +88,20 @@ static double landing_theta(tdsp_point center, int side, const sight_line *line,
     return atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
+/* To the goal itself: where an ulp of time turns the ride by much, as on a pebble late in time, its heading is not the root's. */
+static void line_aim(sight_line *line, tdsp_point place)
+{
+    tdsp_point to = point_sub(place, line->from);
+    double length = point_length(to);
+    if (length > 0.0) line->unit = point_scale(1.0 / length, to);
+}
+
 static tdsp_status target_push(const leave_target *target, double at, double arrive, const sight_nearest *nearest)
 {
     growth_engine *engine = target->engine;
     growth_leg leg = {.ride = target->ride, .line = target_line(target, at), .arrive = arrive, .disc = target->disc, .run = target->run};
     leg.side = target->side;
+    if (!nearest) line_aim(&leg.line, target->place);
     if (target->chunk) leg.leave = chunk_moment(target->chunk, at);
     if (!target->chunk) leg.leave.time = engine->question.time;
     leg.land.time = arrive;
@@ -156,8 +165,8 @@ static int side_of(double offset)
 static tdsp_status push_goal(leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    double length = point_dot(point_sub(target->place, line.from), line.unit);
-    return length >= 0.0 ? target_push(target, at, line.start + length, NULL) : TDSP_OK;
+    tdsp_point way = point_sub(target->place, line.from);
+    return point_dot(way, line.unit) >= 0.0 ? target_push(target, at, line.start + point_length(way), NULL) : TDSP_OK;
 }
 
 /* Where e is 0, or near enough to run into the disc. */

@@ -11,7 +11,7 @@
 #include "tdsp/verify.h"
 
 enum { ASK_JUMPS = 1, ASK_ENVELOPE = 2, ASK_DEADLINE = 4, ASK_SLACK = 8, ASK_DEPARTURE_MARGIN = 16, ASK_PATH_MARGIN = 32, ASK_RAISE = 64, ASK_ADDED = 128 };
-enum { MOST_STEPS = 60, MOST_LEGS = 4096 };
+enum { MOST_STEPS = 24, MOST_LEGS = 4096 };
 
 static int plan_enough(void *ctx, double settled, double all)
 {

@@ -33,6 +33,12 @@ void job_check_path(const fuzz_job *job, double departure, double arrival);
 /* The solver's stated error of an arrival. */
 double job_error(const fuzz_job *job, double departure, double arrival);
 
+/*
+ * Is a time so far away that its own rounding is over 1e-10 of the journey? A gap narrower than that is then open or closed by chance from one departure to the next, and a
+ * ride around a pebble cannot be aimed: only arrivals are compared.
+ */
+int job_is_far(const fuzz_job *job, double time);
+
 /* `arrival` is A(departure), as this job knows A. */
 void job_agrees(const fuzz_job *job, double departure, double arrival, const char *wrong);
 

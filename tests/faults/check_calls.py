@@ -15,7 +15,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 def functions(library, *options):
     listed = subprocess.run(["nm", *options, "--defined-only", library], capture_output=True, text=True, check=True).stdout
-    return set(re.findall(r" T (tdsp_\w+)$", listed, re.M))
+    return set(re.findall(r" T (tdsp_\w+)(?:@.*)?$", listed, re.M))
 
 
 def main():

@@ -53,6 +53,7 @@ COMMANDS = {
     "envelope": (("envelope", "scene.json", "--resolution", 1), None, None),
     "info": (("info", "t.tdsp"), None, None),
     "verify": (("verify", "scene.json", "t.tdsp"), None, None),
+    "verify again by searching": (("verify", "scene.json", "t.tdsp", "--deep", 3, "--json"), None, None),
 }
 injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0}
 

@@ -27,13 +27,13 @@ faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000,
 	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
 	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)
 
-# In `make check`: the first of each way to an allocation, told by three calls, among the first 150 of each unit test. Left out are tests without
+# In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.
 SHORT_LEFT_OUT := angle bernstein bytes contact law margin_touch path path_json polynomial skyline spiral status tangent curve_table guide query query_paths table
 FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
 run-faults: $(CHECK)/faults/allocations.result
 $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
-	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=150 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
+	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=100 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
 
 # The operations of the command on files; signals at one in 20 of the steps of long work.
 checks += file-faults no-memory-calls

@@ -10,7 +10,7 @@
 
 #include "tdsp/tdsp.h"
 
-enum { SCARCE_DISCS = 24, SCARCE_LEGS = 64, SCARCE_TOLD = 1024, SCARCE_BLANK = 0x5a };
+enum { SCARCE_DISCS = 12, SCARCE_LEGS = 64, SCARCE_TOLD = 1024, SCARCE_BLANK = 0x5a };
 
 typedef struct scarce_heap {
     size_t calls;

@@ -103,6 +103,7 @@ static void the_writer_takes_gaps_in_order_and_of_rows_that_it_has(void **state)
     (void)state;
     const tdsp_gap good = {0, 1, 0, {0, 0}}, nobody = {TDSP_NO_DISC, 1, 0, {0, 0}}, never = {0, 1, INFINITY, {0, 0}}, nowhere = {0, 1, 0, {0, NAN}};
     writer *w = golden_fill(&golden_tables[0], NULL);
+    assert_non_null(w);
     assert_int_equal(writer_count(w), 4);
     assert_exact(writer_row_at(w, 2).departure, 9.75);
     assert_int_equal(writer_add_gap(w, 4, &good), TDSP_INVALID_ARGUMENT);

@@ -44,6 +44,7 @@ static void finishing_twice_gives_the_same_bytes_and_rows_may_follow(void **stat
     writer *w = golden_fill(&golden_tables[3], NULL);
     void *first, *second, *third;
     size_t first_length, second_length, third_length;
+    assert_non_null(w);
     assert_int_equal(writer_finish(w, &golden_tables[3].header, &first, &first_length), TDSP_OK);
     assert_int_equal(writer_finish(w, &golden_tables[3].header, &second, &second_length), TDSP_OK);
     assert_int_equal(first_length, second_length);
@@ -242,6 +243,7 @@ static void what_the_caller_forgot_is_refused(void **state)
     writer_header header = golden_tables[3].header;
     void *bytes;
     size_t length;
+    assert_non_null(w);
     assert_int_equal(writer_create(NULL, &empty), TDSP_OK);
     assert_int_equal(writer_add(w, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(writer_add(NULL, &row), TDSP_INVALID_ARGUMENT);

@@ -188,7 +188,7 @@ static void riders_who_come_together_do_not_both_give_way(void **state)
         for (int i = 0; i < 100; ++i) {
             double arrival = -1.0, t = 0.0137 * i;
             tdsp_status status = tdsp_earliest_arrival(w.solver, t, &arrival);
-            if (status == TDSP_SOURCE_COVERED) break; /* rounding put it inside */
+            if (status == TDSP_SOURCE_COVERED || tdsp_scene_destination_free_until(w.scene, NULL) < 0.0) break; /* rounding put it inside */
             assert_int_equal(status, TDSP_OK);
             assert_near(arrival - t, 0.5 + 0.25 * acos(-1.0), 1e-7);
         }

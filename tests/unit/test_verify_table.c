@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/bytes.h"
 #include "support/golden.h"
 #include "support/toy_tables.h"
 #include "tdsp/build.h"
@@ -61,11 +62,8 @@ static tdsp_table_verdict verdict_of(const fixture *f)
 /* Change a double of a section, put the checksums right, and open again. */
 static void spoil(fixture *f, uint64_t section, uint64_t item, double factor)
 {
-    double value;
     unsigned char *at = f->bytes + section + 8 * item;
-    memcpy(&value, at, 8);
-    value *= factor;
-    memcpy(at, &value, 8);
+    bytes_put_f64(at, factor * bytes_get_f64(at));
     golden_seal(f->bytes, f->length);
     assert_int_equal(tdsp_table_open(&f->table, f->bytes, f->length), TDSP_OK);
 }

@@ -13,7 +13,8 @@
 
 void build_asked_clear(BuildAsked *asked)
 {
-    char *texts[] = {asked->guarantee, asked->sampling, asked->epsilon, asked->delta, asked->horizon, asked->threads, asked->output};
+    char *texts[] = {asked->guarantee, asked->sampling, asked->epsilon, asked->delta, asked->horizon,
+                     asked->max_rows,  asked->threads,  asked->output};
     for (gsize i = 0; i < G_N_ELEMENTS(texts); i++) g_free(texts[i]);
 }
 
@@ -51,6 +52,10 @@ static gboolean parse_rest(BuildAsked *asked, const char *file, GError **error)
     asked->threads_count = (guint)threads;
     wrong = asked->horizon ? number_parse_time(asked->horizon, &asked->options.horizon) : NULL;
     if (wrong) return cli_fail(error, CLI_USAGE, "--horizon \"%s\": %s", asked->horizon, wrong);
+    guint64 rows = TDSP_MAX_ROWS;
+    wrong = asked->max_rows ? number_parse_whole(asked->max_rows, 1, TDSP_MAX_ROWS, &rows) : NULL;
+    if (wrong) return cli_fail(error, CLI_USAGE, "--max-rows \"%s\": %s (1 to %u)", asked->max_rows, wrong, TDSP_MAX_ROWS);
+    asked->options.max_rows = (guint32)rows;
     if (!asked->output) return cli_fail(error, CLI_USAGE, "-o %s is missing: where to write it", file);
     return TRUE;
 }
@@ -87,7 +92,7 @@ gboolean build_asked_fail(const BuildAsked *asked, const SceneFile *scene, tdsp_
     case TDSP_NEEDS_HORIZON:
         return cli_fail(error, CLI_USAGE, "no disc ever ends the departures of this scene: say how far to go with --horizon H");
     case TDSP_TOO_MANY_ROWS:
-        return cli_fail(error, CLI_USAGE, "the guarantee needs more than %u rows: ask for a weaker one%s", TDSP_MAX_ROWS,
+        return cli_fail(error, CLI_USAGE, "the guarantee needs more than %u rows: ask for a weaker one%s", asked->options.max_rows,
                         isinf(asked->options.horizon) ? "" : ", or a nearer --horizon");
     case TDSP_NOT_SUPPORTED:
         if (asked->options.sampling == TDSP_SAMPLING_GEOMETRIC)

@@ -7,7 +7,7 @@
 
 typedef struct BuildAsked {
     gboolean exact;
-    char *guarantee, *sampling, *epsilon, *delta, *horizon, *threads, *output; /* as given; NULL: not given */
+    char *guarantee, *sampling, *epsilon, *delta, *horizon, *max_rows, *threads, *output; /* as given; NULL: not given */
     guint threads_count;
     tdsp_build_options options;
 } BuildAsked;
@@ -23,6 +23,7 @@ typedef struct BuildAsked {
     {"sampling", 0, 0, G_OPTION_ARG_STRING, &(asked)->sampling, "adaptive (default), or geometric (guarantee arrival)",         \
      "SAMPLING"},                                                                                                                \
     {"horizon", 0, 0, G_OPTION_ARG_STRING, &(asked)->horizon, "Latest departure; needed where no disc ever ends them", "H"},      \
+    {"max-rows", 0, 0, G_OPTION_ARG_STRING, &(asked)->max_rows, "Give up when a table needs more rows (default and most: 2^24)", "N"}, \
     {"exact", 0, 0, G_OPTION_ARG_NONE, &(asked)->exact,                                                                          \
      "Ask for exact arrivals only, also where nearly the best would do and cost far less", NULL},                                \
     {"threads", 0, 0, G_OPTION_ARG_STRING, &(asked)->threads, "Threads (default: one a processor); never changes the " what,     \

@@ -44,18 +44,46 @@ gboolean cli_fail_status(GError **error, const char *what, tdsp_status status)
     return cli_fail(error, exit_status_of(status), "%s: %s", what, reason);
 }
 
+/* Is this a control character that begins here, of one byte or, from U+0080 to U+009F, of two? Its bytes, or 0. */
+static gsize control_at(const char *text, gsize left)
+{
+    const unsigned char first = (unsigned char)text[0];
+    if (first == 0xc2 && left > 1) return (unsigned char)text[1] < 0xa0 ? 2 : 0;
+    return first < 0x20 || first == 0x7f ? 1 : 0;
+}
+
+GString *cli_plain(const char *text, gsize length, const char *kept)
+{
+    GString *plain = g_string_sized_new(length);
+    for (gsize i = 0; i < length;) {
+        gsize control = strchr(kept, text[i]) && text[i] ? 0 : control_at(text + i, length - i);
+        if (control == 0) g_string_append_c(plain, text[i++]);
+        for (; control > 0; control--) g_string_append_printf(plain, "\\x%02x", (unsigned char)text[i++]);
+    }
+    return plain;
+}
+
+void cli_say(const char *before, const char *message)
+{
+    GString *plain = cli_plain(message, strlen(message), "");
+    fprintf(stderr, "%s: %s\n", before, plain->str);
+    g_string_free(plain, TRUE);
+}
+
 void cli_warn(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
     g_autofree char *message = g_strdup_vprintf(format, arguments);
     va_end(arguments);
-    fprintf(stderr, "tdsp: warning: %s\n", message);
+    cli_say("tdsp: warning", message);
 }
 
 gboolean cli_print(const GString *text, GError **error)
 {
-    int code = descriptor_write_all(STDOUT_FILENO, text->str, text->len);
+    GString *plain = cli_plain(text->str, text->len, "\n\t");
+    int code = descriptor_write_all(STDOUT_FILENO, plain->str, plain->len);
+    g_string_free(plain, TRUE);
     return code == 0 ? TRUE : cli_fail(error, CLI_SYSTEM, "cannot write standard output: %s", g_strerror(code));
 }
 

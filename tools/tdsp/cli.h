@@ -60,7 +60,15 @@ char *cli_reason(tdsp_status status);
 /* A line on standard error that does not stop the command. */
 void cli_warn(const char *format, ...) G_GNUC_PRINTF(1, 2);
 
-/* Write all of `text` to standard output and make sure that it got there. */
+/*
+ * The text with control characters written \xNN, but for those in `kept`: a terminal would obey what stands in the names of a file. The caller frees it.
+ */
+GString *cli_plain(const char *text, gsize length, const char *kept);
+
+/* A message on standard error, behind a word and a colon. */
+void cli_say(const char *before, const char *message);
+
+/* Write all of `text`, made plain but for its lines, to standard output and make sure that it got there. */
 gboolean cli_print(const GString *text, GError **error);
 
 /* Quote-free name for messages: "standard input" for "-". */

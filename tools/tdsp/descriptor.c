@@ -5,16 +5,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-int descriptor_read_all(int file, GString *into)
+gssize descriptor_read(int file, void *block, gsize room)
 {
-    char block[65536];
-    for (;;) {
-        gssize got = read(file, block, sizeof block);
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) return errno;
-        if (got == 0) return 0;
-        g_string_append_len(into, block, got);
-    }
+    gssize got;
+    do got = read(file, block, room);
+    while (got < 0 && errno == EINTR);
+    return got;
 }
 
 int descriptor_write_all(int file, const void *bytes, gsize length)

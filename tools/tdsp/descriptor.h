@@ -4,8 +4,8 @@
 
 #include <glib.h>
 
-/* All bytes up to the end: 0, or errno. */
-int descriptor_read_all(int file, GString *into);
+/* Some bytes, at most `room`: how many, 0 at the end, -1 with errno. */
+gssize descriptor_read(int file, void *block, gsize room);
 
 /* All of the bytes: 0, or errno. */
 int descriptor_write_all(int file, const void *bytes, gsize length);

@@ -14,20 +14,75 @@ static gboolean fail_read(GError **error, const char *path, const char *reason)
     return cli_fail(error, CLI_SYSTEM, "cannot read %s: %s", cli_file_name(path), reason);
 }
 
+/* Text is not read any further, so that a stream without end cannot fill the memory. A scene of a million discs has 70 MB. */
+#define MOST_TEXT ((guint64)1 << 30)
+
+/* Where a table or matrix says how long it is; nothing behind that is needed to refuse it. */
+#define BINARY 0x89
+#define BINARY_LENGTH_AT 16
+#define BINARY_BEGIN (BINARY_LENGTH_AT + 8)
+
+#define BLOCK 65536
+
+/* Bytes read so far, in room for one more, a zero behind them. */
+typedef struct Content {
+    char *bytes;
+    gsize length, room;
+} Content;
+
+/* How many bytes to read of a file that begins so. */
+static guint64 most_of(const Content *begun)
+{
+    guint64 length;
+    if (begun->length < BINARY_BEGIN || (unsigned char)begun->bytes[0] != BINARY) return MOST_TEXT;
+    memcpy(&length, begun->bytes + BINARY_LENGTH_AT, sizeof length);
+    return GUINT64_FROM_LE(length);
+}
+
+/* Room for another block? */
+static gboolean make_room(Content *content)
+{
+    if (content->room - content->length > BLOCK) return TRUE;
+    gsize room = content->room < G_MAXSIZE / 2 ? 2 * content->room + 2 * BLOCK : 0;
+    char *bytes = room > 0 ? g_try_realloc(content->bytes, room) : NULL;
+    if (!bytes) return FALSE;
+    content->bytes = bytes;
+    content->room = room;
+    return TRUE;
+}
+
+/* All bytes, or a block more than there may be: 0, or errno. */
+static int read_whole(int file, Content *into)
+{
+    gssize got = 1;
+    while (got > 0 && (into->length == 0 || into->length <= most_of(into))) {
+        if (!make_room(into)) return ENOMEM;
+        got = descriptor_read(file, into->bytes + into->length, BLOCK);
+        if (got < 0) return errno;
+        into->length += (gsize)got;
+    }
+    into->bytes[into->length] = 0;
+    return 0;
+}
+
 gboolean file_in_read(const char *path, char **text, gsize *length, GError **error)
 {
     gboolean standard = strcmp(path, "-") == 0;
     int file = standard ? STDIN_FILENO : descriptor_open(path, O_RDONLY);
     if (file < 0) return fail_read(error, path, g_strerror(errno));
-    GString *content = g_string_new(NULL);
-    int code = descriptor_read_all(file, content);
+    Content content = {0};
+    int code = read_whole(file, &content);
     if (!standard) close(file);
     if (code != 0) {
-        g_string_free(content, TRUE);
+        g_free(content.bytes);
         return fail_read(error, path, g_strerror(code));
     }
-    *length = content->len;
-    *text = g_string_free(content, FALSE);
+    if (content.length > MOST_TEXT && most_of(&content) == MOST_TEXT) {
+        g_free(content.bytes);
+        return cli_fail(error, CLI_INPUT, "%s: longer than 1 GiB", cli_file_name(path));
+    }
+    *length = content.length;
+    *text = content.bytes;
     return TRUE;
 }
 

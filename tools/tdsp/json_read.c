@@ -147,6 +147,9 @@ JsonValue json_read_item(const JsonValue *array, guint index)
     return (JsonValue){json_array_get_element(json_node_get_array(array->node), index), {&array->place, NULL, index, NULL}};
 }
 
+/* So many unknown keys are named; a file may have any number. */
+#define MOST_WARNINGS 20
+
 void json_read_warn_unknown(const JsonValue *object, const char *const *known, GHashTable *warned)
 {
     JsonObjectIter iter;
@@ -157,6 +160,10 @@ void json_read_warn_unknown(const JsonValue *object, const char *const *known, G
         JsonPlace place = {&object->place, name, 0, NULL};
         g_autoptr(GString) kind = g_string_new(NULL);
         place_append(&place, TRUE, kind);
-        if (g_hash_table_add(warned, g_strdup(kind->str))) cli_warn("%s: %s: unknown key ignored", place_file(&place), kind->str);
+        if (g_hash_table_size(warned) > MOST_WARNINGS || !g_hash_table_add(warned, g_strdup(kind->str))) continue;
+        if (g_hash_table_size(warned) > MOST_WARNINGS)
+            cli_warn("%s: more unknown keys ignored", place_file(&place));
+        else
+            cli_warn("%s: %s: unknown key ignored", place_file(&place), kind->str);
     }
 }

@@ -128,7 +128,8 @@ static void append_usage(GString *text)
 
 static int report(const char *command, const GError *error)
 {
-    fprintf(stderr, "tdsp%s%s: %s\n", command ? " " : "", command ? command : "", error->message);
+    g_autofree char *who = g_strconcat("tdsp", command ? " " : "", command, NULL);
+    cli_say(who, error->message);
     return error->domain == CLI_ERROR ? error->code : CLI_SYSTEM;
 }
 

@@ -54,7 +54,7 @@ static tdsp_status piece_add(const sampler *s, piece *out, const row *next, kept
     piece_row *added = &out->rows[out->count++];
     *added = (piece_row){*next, kept_path_none()};
     kept_path_swap(&added->path, path);
-    return TDSP_OK;
+    return kept_path_trim(&added->path, &s->probe.allocator);
 }
 
 static tdsp_status add_row(const sampler *s, probe *p, piece *out, const bracket *b, double cap)

@@ -54,6 +54,17 @@ tdsp_status kept_path_again(kept_path *path, const tdsp_allocator *allocator, co
     return kept_path_copy(path, allocator, &lent, from->departure);
 }
 
+tdsp_status kept_path_trim(kept_path *path, const tdsp_allocator *allocator)
+{
+    const size_t held = path->leg_capacity * sizeof *path->legs, needed = path->leg_count * sizeof *path->legs;
+    if (path->leg_count == 0 || needed == held) return TDSP_OK;
+    tdsp_leg *legs = memory_resize(allocator, path->legs, held, needed);
+    if (!legs) return TDSP_NO_MEMORY;
+    path->legs = legs;
+    path->leg_capacity = path->leg_count;
+    return TDSP_OK;
+}
+
 void kept_path_swap(kept_path *a, kept_path *b)
 {
     kept_path held = *a;

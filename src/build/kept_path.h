@@ -26,6 +26,9 @@ tdsp_status kept_path_copy(kept_path *path, const tdsp_allocator *allocator, con
 /* A second copy. As kept_path_copy(). */
 tdsp_status kept_path_again(kept_path *path, const tdsp_allocator *allocator, const kept_path *from);
 
+/* Give back the room that the legs do not need: of millions of paths it would be most. TDSP_OK or TDSP_NO_MEMORY (it stays held then). */
+tdsp_status kept_path_trim(kept_path *path, const tdsp_allocator *allocator);
+
 void kept_path_swap(kept_path *a, kept_path *b);
 void kept_path_release(kept_path *path, const tdsp_allocator *allocator);
 

@@ -40,6 +40,7 @@ static void the_gate_has_one_jump_with_its_gap(void **state)
     tdsp_arrival_jump jump;
     assert_int_equal(tdsp_jumps_find(w.solver, NULL, &jumps), TDSP_OK);
     assert_int_equal(tdsp_jumps_count(jumps), 1);
+    assert_int_equal(tdsp_jumps_get(jumps, 0, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_jumps_get(jumps, 0, &jump), TDSP_OK);
     assert_near(jump.departure, gate_departure(), 1e-9);
     assert_near(jump.travel_before, 20.0, 1e-9);
@@ -315,8 +316,8 @@ static void wrong_options_are_refused(void **state)
     world w = world_make(across, gate, 2);
     tdsp_shape_options good = until(20.0);
     for (size_t k = 0; k < 2; k++) {
-        tdsp_shape_options bad[9];
-        for (size_t i = 0; i < 9; i++) bad[i] = good;
+        tdsp_shape_options bad[10];
+        for (size_t i = 0; i < 10; i++) bad[i] = good;
         bad[0].size = 8;
         bad[1].from = -1.0;
         bad[2].from = INFINITY;
@@ -326,7 +327,8 @@ static void wrong_options_are_refused(void **state)
         bad[6].resolution = NAN;
         bad[7].least = 1e-12;
         bad[8].resolution = INFINITY;
-        for (size_t i = 0; i < 9; i++) assert_int_equal(finders[k](w.solver, &bad[i]), TDSP_INVALID_ARGUMENT);
+        bad[9].least = INFINITY;
+        for (size_t i = 0; i < 10; i++) assert_int_equal(finders[k](w.solver, &bad[i]), TDSP_INVALID_ARGUMENT);
         assert_int_equal(finders[k](NULL, &good), TDSP_INVALID_ARGUMENT);
         assert_int_equal(finders[k](w.solver, &good), TDSP_OK);
     }

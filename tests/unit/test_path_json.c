@@ -105,12 +105,85 @@ static void an_arc_without_rates_is_a_spiral(void **state)
     assert_exact(read->speed, 0.0);
 }
 
+#define PATH "{\"departure\": 1, \"arrival\": 9, \"status\": \"ok\", \"legs\": [" LEG "]}"
+#define LEG "{\"type\": \"arc\", \"start_time\": 1, \"end_time\": 9, \"from\": [1, 0], \"to\": [0, 1], " ARC "}"
+#define ARC                                                                                                                      \
+    "\"disc\": 3, \"center\": [0, 0], \"turn\": \"ccw\", \"radii\": [1, 1], \"rates\": [0.5, 0.5], \"bends\": [0, 0], "          \
+    "\"sweep\": 1, \"speed\": 2"
+
+/* The path with one piece of its text replaced. */
+static char *path_with(const char *was, const char *is)
+{
+    g_auto(GStrv) parts = g_strsplit(PATH, was, 2);
+    assert_non_null(parts[1]);
+    return g_strjoinv(is, parts);
+}
+
+/* Each member in turn is of a wrong kind or out of its range; the message names its place. */
+static void a_path_with_a_member_that_means_nothing_is_refused(void **state)
+{
+    (void)state;
+    static const char *const changes[][3] = {
+        {PATH, "[]", "text"},
+        {"\"departure\": 1", "\"departure\": []", "departure"},
+        {"\"arrival\": 9, ", "", "arrival"},
+        {"\"arrival\": 9", "\"arrival\": true", "arrival"},
+        {"\"status\": \"ok\"", "\"status\": 7", "status"},
+        {", \"status\": \"ok\"", "", "status"},
+        {"legs", "lags", "legs"},
+        {"[" LEG "]", "7", "legs"},
+        {LEG, "7", "legs[0]"},
+        {"\"arc\"", "7", "type"},
+        {"\"arc\"", "\"spline\"", "type"},
+        {"\"start_time\": 1", "\"start_time\": \"1\"", "start_time"},
+        {"\"end_time\": 9", "\"end_time\": null", "end_time"},
+        {"\"from\": [1, 0]", "\"from\": [\"1\", 0]", "from"},
+        {"\"from\": [1, 0]", "\"from\": [1, \"0\"]", "from"},
+        {"\"to\": [0, 1]", "\"to\": [0, 1, 2]", "to"},
+        {"\"disc\": 3", "\"disc\": \"3\"", "disc"},
+        {"\"disc\": 3", "\"disc\": -1", "disc"},
+        {"\"disc\": 3", "\"disc\": 0.5", "disc"},
+        {"\"disc\": 3", "\"disc\": 4294967295", "disc"},
+        {"\"rates\": [0.5, 0.5]", "\"rates\": 0.5", "rates"},
+        {"\"bends\": [0, 0]", "\"bends\": 0", "bends"},
+        {"\"sweep\": 1", "\"sweep\": []", "sweep"},
+    };
+    for (size_t i = 0; i < G_N_ELEMENTS(changes); i++) {
+        g_autofree char *text = path_with(changes[i][0], changes[i][1]);
+        g_auto(PathFile) path = {0};
+        g_autoptr(GError) error = NULL;
+        if (path_json_parse("text", text, strlen(text), 1, &path, &error))
+            fail_msg("%s instead of %s is accepted", changes[i][1], changes[i][0]);
+        if (!strstr(error->message, changes[i][2])) fail_msg("%s is not named in: %s", changes[i][2], error->message);
+    }
+}
+
+/* An arc that takes no time, begins at its centre, or moves outward as fast as the robot turns by no more than its ends say. */
+static void an_arc_that_has_no_time_or_speed_to_go_round_makes_no_lap(void **state)
+{
+    (void)state;
+    static const char *const changes[][2] = {{"\"end_time\": 9", "\"end_time\": 1"},
+                                             {"\"radii\": [1, 1]", "\"radii\": [0, 1]"},
+                                             {"\"radii\": [1, 1]", "\"radii\": [1, 17]"}};
+    for (size_t i = 0; i < G_N_ELEMENTS(changes); i++) {
+        g_autofree char *curve = path_with(changes[i][0], changes[i][1]);
+        g_auto(GStrv) parts = g_strsplit(curve, ", \"rates\"", 2);
+        g_autofree char *text = g_strconcat(parts[0], "}]}", NULL);
+        g_auto(PathFile) path = {0};
+        g_autoptr(GError) error = NULL;
+        if (!path_json_parse("text", text, strlen(text), 1, &path, &error)) fail_msg("%s", error->message);
+        assert_near(g_array_index(path.legs, tdsp_leg, 0).sweep, 0.5 * G_PI, 1e-15);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(curves_read_back_as_they_were),
         cmocka_unit_test(a_curve_without_all_its_members_is_refused),
         cmocka_unit_test(an_arc_without_rates_is_a_spiral),
+        cmocka_unit_test(a_path_with_a_member_that_means_nothing_is_refused),
+        cmocka_unit_test(an_arc_that_has_no_time_or_speed_to_go_round_makes_no_lap),
     };
     return cmocka_run_group_tests_name("path_json", tests, NULL, NULL);
 }

@@ -34,7 +34,7 @@ static int exit_status_of(tdsp_status status)
 char *cli_reason(tdsp_status status)
 {
     char *text = g_strdup(tdsp_status_text(status));
-    if (!g_ascii_isupper(text[1])) *text = g_ascii_tolower(*text);
+    *text = g_ascii_tolower(*text);
     return text;
 }
 

@@ -199,7 +199,7 @@ static tdsp_status write_matrix(const matrix_build *self, void **bytes, size_t *
 
 static void build_free(matrix_build *self)
 {
-    for (size_t k = 0; k < self->count && self->pairs; k++)
+    for (size_t k = 0; k < self->count; k++)
         if (self->pairs[k].bytes) tdsp_bytes_free(&self->allocator, self->pairs[k].bytes, self->pairs[k].length);
     memory_free(&self->allocator, self->pairs, self->count * sizeof *self->pairs);
 }

@@ -29,7 +29,7 @@ double backward_reach(const examiner *x, double d)
 {
     double arrival = 0;
     for (size_t i = x->seen_count; i-- > 0 && arrival == 0;)
-        if (x->seen[i].status == TDSP_OK && (x->seen[i].departure <= d || i == 0)) arrival = x->seen[i].arrival;
+        if (x->seen[i].status == TDSP_OK && x->seen[i].departure <= d) arrival = x->seen[i].arrival;
     return 2 * examiner_blur(x, fmax(arrival, isfinite(d) ? d : 0));
 }
 
@@ -74,7 +74,7 @@ static void judge_beside(examiner *x, tdsp_oracle_callback callback, double a, d
     seen at, before, after;
     int is_known = forward_see(x, d, &at);
     if (is_known && is_late(x, &at, a)) {
-        int displaced = d > 0 && forward_see(x, fmax(d - reach, 0), &before) && !is_late(x, &before, a);
+        int displaced = forward_see(x, fmax(d - reach, 0), &before) && !is_late(x, &before, a);
         if (!displaced) note(x, TDSP_RULE_LATE, callback, a, d, &at);
     }
     if (forward_see(x, fmax(d + reach, round_next_up(d)), &after) && is_in_time(x, &after, a)) note(x, TDSP_RULE_EARLY, callback, a, d, &after);
@@ -139,7 +139,7 @@ static void ask_and_judge(examiner *x, double arrival, reply *replies, size_t *c
 {
     seen first;
     reply r;
-    if (!(arrival >= 0) || !ask(x, arrival, &r)) return;
+    if (!ask(x, arrival, &r)) return;
     replies[(*count)++] = r;
     if (!forward_first(x, &first) || !judge_status(x, &r, &first) || !judge_number(x, &r)) return;
     backward_judge(x, TDSP_ORACLE_LATEST_DEPARTURE, arrival, r.departure);

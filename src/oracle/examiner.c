@@ -40,8 +40,7 @@ void examiner_look(examiner *x, tdsp_oracle_rule rule)
 /* What every other rule rests on. */
 static int is_fundamental(const tdsp_oracle_finding *finding)
 {
-    return finding->callback == TDSP_ORACLE_EARLIEST_ARRIVAL && finding->rule >= TDSP_RULE_ERROR &&
-           finding->rule <= TDSP_RULE_NO_WAY;
+    return finding->callback == TDSP_ORACLE_EARLIEST_ARRIVAL && finding->rule <= TDSP_RULE_NO_WAY;
 }
 
 void examiner_note(examiner *x, const tdsp_oracle_finding *finding)
@@ -50,7 +49,8 @@ void examiner_note(examiner *x, const tdsp_oracle_finding *finding)
     examiner_look(x, finding->rule);
     out->broken |= UINT64_C(1) << finding->rule;
     if (is_fundamental(finding)) x->unsound = 1;
-    if (out->times[finding->rule]++ < TDSP_ORACLE_EXAMPLES && out->count < TDSP_ORACLE_FINDINGS) out->found[out->count++] = *finding;
+    /* There is room for all: TDSP_ORACLE_RULES * TDSP_ORACLE_EXAMPLES is less than TDSP_ORACLE_FINDINGS. */
+    if (out->times[finding->rule]++ < TDSP_ORACLE_EXAMPLES) out->found[out->count++] = *finding;
 }
 
 /* An error by name may come of any callback; everything else is nothing that a status can be there. */

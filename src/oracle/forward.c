@@ -247,11 +247,10 @@ static double value_of(const examiner *x, const seen *s)
     return x->oracle.monotone == TDSP_MONOTONE_ARRIVAL ? s->arrival : s->arrival - s->departure;
 }
 
-/* A jump may be seen on the wrong side by both departures. */
+/* A jump may be seen on the wrong side by both departures, of which one at least has a way. */
 static int is_blurred(const examiner *x, const seen *earlier, const seen *later)
 {
-    double arrival = fmin(earlier->arrival, later->arrival);
-    return later->departure - earlier->departure <= 2 * examiner_blur(x, isfinite(arrival) ? arrival : later->departure);
+    return later->departure - earlier->departure <= 2 * examiner_blur(x, fmin(earlier->arrival, later->arrival));
 }
 
 /* So near to the end that it may be over already: the answer then is one to no question. */

@@ -19,6 +19,7 @@
     }
 
 SPOILT_ARRIVAL(arrival_fails, if (m->calls % 7 == 0) status = TDSP_FAILED)
+SPOILT_ARRIVAL(arrival_fails_at_first, if (m->calls == 1) status = TDSP_FAILED)
 SPOILT_ARRIVAL(arrival_too_early, if (m->calls % 7 == 0) status = TDSP_ARRIVAL_TOO_EARLY)
 SPOILT_ARRIVAL(arrival_unknown, if (m->calls % 7 == 0) status = (tdsp_status)99)
 SPOILT_ARRIVAL(arrival_negative_status, if (m->calls % 7 == 0) status = (tdsp_status)-3)
@@ -46,10 +47,13 @@ SPOILT_ARRIVAL(arrival_slow, m->now += departure > 12 ? 5.0 : 0.001)
 SPOILT_DEPARTURE(departure_fails, if (m->calls % 7 == 0) status = TDSP_NO_ANSWER)
 SPOILT_DEPARTURE(departure_beyond_table, if (m->calls % 7 == 0) status = TDSP_OUTSIDE_TABLE)
 SPOILT_DEPARTURE(departure_wobbles, if (m->calls % 2 == 0) *departure = nextafter(*departure, 0))
+/* The first round has fewer questions than this. */
+SPOILT_DEPARTURE(departure_changes_its_mind, if (m->calls > 121) status = TDSP_ARRIVAL_TOO_EARLY)
 SPOILT_DEPARTURE(departure_nan, *departure = NAN)
 SPOILT_DEPARTURE(departure_negative, *departure = -1)
 SPOILT_DEPARTURE(departure_infinite, if (isfinite(arrival)) *departure = INFINITY)
 SPOILT_DEPARTURE(departure_says_too_early, if (arrival < 7) status = TDSP_ARRIVAL_TOO_EARLY)
+SPOILT_DEPARTURE(departure_is_never_late_enough, if (isinf(arrival)) status = TDSP_ARRIVAL_TOO_EARLY)
 SPOILT_DEPARTURE(departure_never_too_early, if (status != TDSP_OK) *departure = 0; status = TDSP_OK)
 SPOILT_DEPARTURE(departure_has_no_way, if (arrival > 20) status = TDSP_CUT_OFF)
 SPOILT_DEPARTURE(departure_late, *departure += 0.1)
@@ -75,6 +79,7 @@ SPOILT_BETWEEN(between_fails, if (m->calls % 7 == 0) status = TDSP_NO_MEMORY)
 SPOILT_BETWEEN(between_too_early, if (m->calls % 7 == 0) status = TDSP_ARRIVAL_TOO_EARLY)
 SPOILT_BETWEEN(between_wobbles, if (m->calls % 2 == 0) *departure = fmax(nextafter(*departure, 0), after))
 SPOILT_BETWEEN(between_nan, *departure = NAN)
+SPOILT_BETWEEN(between_arrives_wobbles, if (m->calls % 2 == 0) *arrives = nextafter(*arrives, 0))
 SPOILT_BETWEEN(between_before, *departure = after - 1)
 SPOILT_BETWEEN(between_after, if (isfinite(before)) *departure = before + 1)
 SPOILT_BETWEEN(between_late, *departure = fmin(*departure + 0.1, before); *arrives = (double)toy_arrival(&m->toy, *departure))
@@ -99,6 +104,9 @@ SPOILT_WITHIN(within_horizon, if (m->calls % 7 == 0) status = TDSP_HORIZON)
 SPOILT_WITHIN(within_nan, *lower = NAN)
 SPOILT_WITHIN(within_infinite, *arrival = INFINITY)
 SPOILT_WITHIN(within_wobbles, if (m->calls % 2 == 0) *lower = nextafter(*lower, 0))
+/* Every fourth question is asked twice, from the first on. */
+SPOILT_WITHIN(within_arrival_wobbles, if (m->calls % 5 == 2) *arrival = nextafter(*arrival, 0))
+SPOILT_WITHIN(within_changes_its_mind, if (m->calls % 5 == 2) status = TDSP_CUT_OFF)
 SPOILT_WITHIN(within_wide, *arrival += 0.01)
 SPOILT_WITHIN(within_crossed, *lower = *arrival + 1)
 SPOILT_WITHIN(within_high, *lower += 0.5; *arrival = departure + (*lower - departure) * (1 + delta))
@@ -141,6 +149,29 @@ SPOILT_PATH(path_arc_without_radius, m->legs[1].kind = TDSP_LEG_ARC; m->legs[1].
 SPOILT_PATH(path_curve_too_fast, m->legs[1].kind = TDSP_LEG_CURVE; m->legs[1].turn = 1; m->legs[1].radius_from = m->legs[1].radius_to = 1;
             m->legs[1].rate_to = 2; m->legs[1].speed = 1)
 SPOILT_PATH(path_reserved, m->legs[1].reserved = 1)
+#define SPOILT_LINE(member, value) SPOILT_PATH(path_line_##member, m->legs[1].member = value)
+SPOILT_LINE(turn, 1)
+SPOILT_PATH(path_line_center_x, m->legs[1].center.x = 1)
+SPOILT_PATH(path_line_center_y, m->legs[1].center.y = 1)
+SPOILT_LINE(radius_from, 1)
+SPOILT_LINE(radius_to, 1)
+SPOILT_LINE(angle_from, 1)
+SPOILT_LINE(sweep, 1)
+SPOILT_LINE(rate_from, 1)
+SPOILT_LINE(rate_to, 1)
+SPOILT_LINE(bend_from, 1)
+SPOILT_LINE(bend_to, 1)
+SPOILT_LINE(speed, 1)
+#define SPOILT_ARC(member, value)                                                                                                \
+    SPOILT_PATH(path_arc_##member, m->legs[1].kind = TDSP_LEG_ARC; m->legs[1].turn = 1; m->legs[1].radius_from = 1;               \
+                m->legs[1].radius_to = 1; m->legs[1].member = value)
+SPOILT_ARC(turn, 0)
+SPOILT_ARC(sweep, -1)
+SPOILT_ARC(radius_to, 0)
+SPOILT_ARC(speed, 1)
+SPOILT_ARC(kind, TDSP_LEG_CURVE)
+SPOILT_PATH(path_curve_without_turn, m->legs[1].kind = TDSP_LEG_CURVE)
+SPOILT_PATH(path_absurdly_long, out->leg_count = SIZE_MAX)
 SPOILT_PATH(path_torn_in_place, m->legs[1].from.x += 1e-6)
 SPOILT_PATH(path_torn_in_time, m->legs[0].end_time = nextafter(m->legs[0].end_time, 0))
 SPOILT_PATH(path_starts_later, m->legs[0].start_time += 1e-6)
@@ -178,6 +209,7 @@ SPOILT_REASON(reason_negative, TDSP_OK, (tdsp_status)-1)
     X(DECLARED, MEMBERS, time_scale = -1)                                                                                        \
     X(DECLARED, MEMBERS, time_scale = INFINITY)                                                                                  \
     X(ERROR, EARLIEST_ARRIVAL, earliest_arrival = arrival_fails)                                                                 \
+    X(ERROR, EARLIEST_ARRIVAL, earliest_arrival = arrival_fails_at_first)                                                       \
     X(ERROR, LATEST_DEPARTURE, latest_departure = departure_fails)                                                               \
     X(ERROR, LATEST_DEPARTURE_BETWEEN, latest_departure_between = between_fails)                                                 \
     X(ERROR, EARLIEST_ARRIVAL_WITHIN, earliest_arrival_within = within_fails)                                                    \
@@ -198,8 +230,12 @@ SPOILT_REASON(reason_negative, TDSP_OK, (tdsp_status)-1)
     X(ARRIVAL, EARLIEST_ARRIVAL_WITHIN, earliest_arrival_within = within_infinite)                                               \
     X(REPEATABLE, EARLIEST_ARRIVAL, earliest_arrival = arrival_wobbles)                                                          \
     X(REPEATABLE, LATEST_DEPARTURE, latest_departure = departure_wobbles)                                                        \
+    X(REPEATABLE, LATEST_DEPARTURE, latest_departure = departure_changes_its_mind)                                              \
     X(REPEATABLE, LATEST_DEPARTURE_BETWEEN, latest_departure_between = between_wobbles)                                          \
+    X(REPEATABLE, LATEST_DEPARTURE_BETWEEN, latest_departure_between = between_arrives_wobbles)                                 \
     X(REPEATABLE, EARLIEST_ARRIVAL_WITHIN, earliest_arrival_within = within_wobbles)                                             \
+    X(REPEATABLE, EARLIEST_ARRIVAL_WITHIN, earliest_arrival_within = within_arrival_wobbles)                                    \
+    X(REPEATABLE, EARLIEST_ARRIVAL_WITHIN, earliest_arrival_within = within_changes_its_mind)                                   \
     X(ORDER, EARLIEST_ARRIVAL, earliest_arrival = arrival_dips)                                                                  \
     X(ORDER, EARLIEST_ARRIVAL, earliest_arrival = arrival_creeps)                                                                \
     X(NO_WAY, EARLIEST_ARRIVAL, earliest_arrival = arrival_returns)                                                              \
@@ -213,6 +249,25 @@ SPOILT_REASON(reason_negative, TDSP_OK, (tdsp_status)-1)
     X(PATH_FORM, PATH, path = path_arc_without_radius)                                                                           \
     X(PATH_FORM, PATH, path = path_curve_too_fast)                                                                               \
     X(PATH_FORM, PATH, path = path_reserved)                                                                                     \
+    X(PATH_FORM, PATH, path = path_line_turn)                                                                                   \
+    X(PATH_FORM, PATH, path = path_line_center_x)                                                                               \
+    X(PATH_FORM, PATH, path = path_line_center_y)                                                                               \
+    X(PATH_FORM, PATH, path = path_line_radius_from)                                                                            \
+    X(PATH_FORM, PATH, path = path_line_radius_to)                                                                              \
+    X(PATH_FORM, PATH, path = path_line_angle_from)                                                                             \
+    X(PATH_FORM, PATH, path = path_line_sweep)                                                                                  \
+    X(PATH_FORM, PATH, path = path_line_rate_from)                                                                              \
+    X(PATH_FORM, PATH, path = path_line_rate_to)                                                                                \
+    X(PATH_FORM, PATH, path = path_line_bend_from)                                                                              \
+    X(PATH_FORM, PATH, path = path_line_bend_to)                                                                                \
+    X(PATH_FORM, PATH, path = path_line_speed)                                                                                  \
+    X(PATH_FORM, PATH, path = path_arc_turn)                                                                                    \
+    X(PATH_FORM, PATH, path = path_arc_sweep)                                                                                   \
+    X(PATH_FORM, PATH, path = path_arc_radius_to)                                                                               \
+    X(PATH_FORM, PATH, path = path_arc_speed)                                                                                   \
+    X(PATH_FORM, PATH, path = path_arc_kind)                                                                                    \
+    X(PATH_FORM, PATH, path = path_curve_without_turn)                                                                          \
+    X(PATH_FORM, PATH, path = path_absurdly_long)                                                                               \
     X(PATH_JOINS, PATH, path = path_torn_in_place)                                                                               \
     X(PATH_JOINS, PATH, path = path_torn_in_time)                                                                                \
     X(PATH_ENDS, PATH, path = path_starts_later)                                                                                 \
@@ -227,6 +282,7 @@ SPOILT_REASON(reason_negative, TDSP_OK, (tdsp_status)-1)
     X(DEPARTURE, LATEST_DEPARTURE_BETWEEN, latest_departure_between = between_before)                                            \
     X(DEPARTURE, LATEST_DEPARTURE_BETWEEN, latest_departure_between = between_after)                                             \
     X(TOO_EARLY, LATEST_DEPARTURE, latest_departure = departure_says_too_early)                                                  \
+    X(TOO_EARLY, LATEST_DEPARTURE, latest_departure = departure_is_never_late_enough)                                           \
     X(TOO_EARLY, LATEST_DEPARTURE, latest_departure = departure_never_too_early)                                                 \
     X(BOTH_WAYS, LATEST_DEPARTURE, latest_departure = departure_has_no_way)                                                      \
     X(LATE, LATEST_DEPARTURE, latest_departure = departure_late)                                                                 \

@@ -154,7 +154,8 @@ static void any_changed_or_missing_byte_is_noticed(void **state)
 static void numbers_that_contradict_each_other_are_noticed_behind_good_checksums(void **state)
 {
     (void)state;
-    static const uint64_t values[] = {0, 1, 7, 8, 0x7fffffff, 0xffffffff, 0x100000000, UINT64_MAX, UINT64_MAX - 7, 0x7ff0000000000000};
+    static const uint64_t values[] = {
+        0, 1, 7, 8, 0x7fffffff, 0xffffffff, 0x100000000, UINT64_MAX, UINT64_MAX - 7, 0x7ff0000000000000};
     built b;
     build(&b);
     size_t tables = (size_t)bytes_get_u64(b.bytes + MATRIX_AT_TABLES);
@@ -222,6 +223,40 @@ static void a_pair_that_fails_is_named_and_what_cannot_be_built_is_refused(void 
     world_free(w);
 }
 
+#define NO_PLAN(change)                                                                                                          \
+    do {                                                                                                                         \
+        tdsp_matrix_plan bad = plan_for(&w);                                                                                     \
+        bad.change;                                                                                                              \
+        assert_int_equal(tdsp_matrix_build(&bad, &options, NULL, &bytes, &length, NULL), TDSP_INVALID_ARGUMENT);                 \
+    } while (0)
+
+static void arguments_that_are_missing_or_absurd_are_refused(void **state)
+{
+    (void)state;
+    world w = world_make(across, discs, 2);
+    const tdsp_matrix_end nowhere = {{0.0, INFINITY}, NULL, 0}, nameless = {{0.0, 0.0}, NULL, 3};
+    tdsp_build_options options = options_for(), odd = options, crewed = options;
+    const tdsp_matrix_plan plan = plan_for(&w);
+    const tdsp_oracle worker = {0};
+    void *bytes = NULL;
+    size_t length = 0;
+    NO_PLAN(oracle_for = NULL);
+    NO_PLAN(sources = NULL);
+    NO_PLAN(destination_count = 0);
+    NO_PLAN(destination_count = SIZE_MAX);
+    NO_PLAN(destinations = &nowhere);
+    NO_PLAN(destinations = &nameless);
+    odd.size = 3;
+    crewed.workers = &worker;
+    assert_int_equal(tdsp_matrix_build(&plan, NULL, NULL, &bytes, &length, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_matrix_build(&plan, &odd, NULL, &bytes, &length, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_matrix_build(&plan, &crewed, NULL, &bytes, &length, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_matrix_build(&plan, &options, NULL, NULL, &length, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_matrix_build(&plan, &options, NULL, &bytes, NULL, NULL), TDSP_INVALID_ARGUMENT);
+    assert_null(bytes);
+    world_free(w);
+}
+
 static void a_failing_allocation_is_reported_and_leaves_no_block(void **state)
 {
     (void)state;
@@ -254,6 +289,7 @@ int main(void)
         cmocka_unit_test(any_changed_or_missing_byte_is_noticed),
         cmocka_unit_test(numbers_that_contradict_each_other_are_noticed_behind_good_checksums),
         cmocka_unit_test(a_pair_that_fails_is_named_and_what_cannot_be_built_is_refused),
+        cmocka_unit_test(arguments_that_are_missing_or_absurd_are_refused),
         cmocka_unit_test(a_failing_allocation_is_reported_and_leaves_no_block),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

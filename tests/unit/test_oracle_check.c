@@ -1,6 +1,8 @@
 /* The conformance kit: a mutant for each way of breaking a rule, caught by that rule and by no other; sound oracles of every kind pass. */
 #include "support/cmocka_all.h"
 
+#include <string.h>
+
 #include "support/mutant_oracles.h"
 #include "support/toy_tables.h"
 #include "tdsp/oracle_check.h"
@@ -52,8 +54,9 @@ static void is_caught(int which, uint64_t seed)
     tdsp_status status = tdsp_oracle_check(&oracle, &options, NULL, &found);
     int caught = status == TDSP_BAD_ORACLE && found.broken == BIT(change.rule) && found.found[0].callback == change.callback;
     if (!caught) print_findings(change.name, &found);
-    if (!caught) print_error("%s with seed %u: %s, %llx broken, not only %s\n", change.name, (unsigned)seed, tdsp_status_name(status),
-                             (unsigned long long)found.broken, tdsp_oracle_rule_name(change.rule));
+    if (!caught)
+        print_error("%s with seed %u: %s, %llx broken, not only %s\n", change.name, (unsigned)seed, tdsp_status_name(status),
+                    (unsigned long long)found.broken, tdsp_oracle_rule_name(change.rule));
     assert_true(caught);
     assert_true(found.times[change.rule] >= found.count && found.count >= 1 && found.count <= TDSP_ORACLE_EXAMPLES);
 }
@@ -220,6 +223,13 @@ static tdsp_status refuses_the_last(void *ctx, double arrival, double *departure
     return isinf(arrival) ? TDSP_NOT_SUPPORTED : m->sound.latest_departure(m->sound.ctx, arrival, departure);
 }
 
+static tdsp_status shrinks_at_last(void *ctx, double arrival, double after, double before, double *departure, double *arrives)
+{
+    mutant *m = ctx;
+    return isinf(arrival) ? TDSP_SHRINKS
+                          : m->sound.latest_departure_between(m->sound.ctx, arrival, after, before, departure, arrives);
+}
+
 static tdsp_status refuses_the_late(void *ctx, double arrival, double *departure)
 {
     mutant *m = ctx;
@@ -235,9 +245,80 @@ static void only_the_last_departure_of_all_may_be_refused(void **state)
     tdsp_oracle oracle = mutant_sound(&m);
     oracle.latest_departure = refuses_the_last;
     passes("refuses the last", &oracle, NULL);
+    oracle.latest_departure_between = shrinks_at_last;
+    passes("shrinks at last", &oracle, NULL);
     oracle.latest_departure = refuses_the_late;
     assert_int_equal(tdsp_oracle_check(&oracle, NULL, NULL, &found), TDSP_BAD_ORACLE);
     assert_true(found.broken == BIT(TDSP_RULE_ERROR));
+}
+
+/* A journey so long that times end before it does. */
+static tdsp_status arrives_at_the_end_of_numbers(void *ctx, double departure, double *arrival)
+{
+    (void)ctx;
+    *arrival = departure + 1e306;
+    return TDSP_OK;
+}
+
+/* Within the noise of the moment of a jump, and of the end, an answer may be that of either side. */
+static tdsp_status wavers_at_jumps(void *ctx, double departure, double *arrival)
+{
+    mutant *m = ctx;
+    const double noise = m->toy.error * (departure + 10);
+    double asked = departure;
+    for (double jump = 10; jump <= 30; jump += 10)
+        if (fabs(departure - jump) < noise) asked = departure < jump ? fmin(jump + noise, 30.5) : jump - noise;
+    tdsp_status status = m->sound.earliest_arrival(m->sound.ctx, asked, arrival);
+    *arrival += departure - asked;
+    return status;
+}
+
+static void times_at_the_end_of_numbers_and_sides_that_waver_are_sound(void **state)
+{
+    (void)state;
+    tdsp_oracle endless;
+    tdsp_oracle_init(&endless);
+    endless.earliest_arrival = arrives_at_the_end_of_numbers;
+    passes("end of numbers", &endless, NULL);
+    mutant m;
+    mutant_make(&m);
+    m.toy.error = 1e-3;
+    tdsp_oracle oracle;
+    tdsp_oracle_init(&oracle);
+    oracle.ctx = &m;
+    oracle.error = 1e-3;
+    oracle.earliest_arrival = wavers_at_jumps;
+    (void)mutant_sound(&m);
+    tdsp_oracle_check_options options = defaults();
+    for (options.seed = 0; options.seed < 40; options.seed++) passes("wavers", &oracle, &options);
+}
+
+static void what_is_no_rule_has_a_text_too(void **state)
+{
+    (void)state;
+    const tdsp_oracle_finding odd = {.rule = (tdsp_oracle_rule)99};
+    assert_true(strlen(tdsp_oracle_finding_text(&odd)) > 0);
+    assert_string_equal(tdsp_oracle_rule_name(odd.rule), "unknown");
+}
+
+/* Whenever the calls end: a mutant is accused of what it does or of nothing. */
+static void a_limit_of_calls_makes_no_other_rule_look_broken(void **state)
+{
+    (void)state;
+    mutation change;
+    for (int which = 0;; which++) {
+        mutant m;
+        tdsp_oracle_findings found;
+        mutant_make(&m);
+        tdsp_oracle oracle = mutant_sound(&m);
+        if (!mutant_spoil(which, &oracle, &change)) break;
+        if (change.rule != TDSP_RULE_LATE && change.rule != TDSP_RULE_BOUNDS && change.rule != TDSP_RULE_ARRIVES) continue;
+        tdsp_oracle_check_options options = defaults();
+        for (options.calls = 1; options.calls < 1200; options.calls += options.calls < 300 ? 1 : 7) {
+            assert_true(tdsp_oracle_check(&oracle, &options, NULL, &found) != TDSP_INVALID_ARGUMENT);
+            assert_true((found.broken & ~BIT(change.rule)) == 0);
+        }
+    }
 }
 
 /* ------------------------------------------------------------------------------------------ limits, arguments, memory */
@@ -351,6 +432,9 @@ int main(void)
         cmocka_unit_test(sound_toys_of_every_kind_pass),
         cmocka_unit_test(an_oracle_without_any_way_is_sound_when_both_directions_say_so),
         cmocka_unit_test(only_the_last_departure_of_all_may_be_refused),
+        cmocka_unit_test(times_at_the_end_of_numbers_and_sides_that_waver_are_sound),
+        cmocka_unit_test(what_is_no_rule_has_a_text_too),
+        cmocka_unit_test(a_limit_of_calls_makes_no_other_rule_look_broken),
         cmocka_unit_test(calls_are_limited_and_the_findings_say_so),
         cmocka_unit_test(the_same_seed_finds_the_same),
         cmocka_unit_test(bad_arguments_are_refused),

@@ -140,6 +140,9 @@ static void bad_options_are_refused(void **state)
     REFUSED(max_rows = TDSP_MAX_ROWS + 1);
     REFUSED(world.speed = -1);
     REFUSED(world.speed = NAN);
+    REFUSED(world.speed = INFINITY);
+    REFUSED(world.source.y = INFINITY);
+    REFUSED(world.destination.x = NAN);
     REFUSED(world.source.x = INFINITY);
     REFUSED(world.destination.y = NAN);
     REFUSED(world.length_unit = "sixteen bytes ..");
@@ -149,24 +152,46 @@ static void bad_options_are_refused(void **state)
     assert_int_equal(t.forward_calls, 0);
 }
 
+static void bad_deltas_are_refused(void **state)
+{
+    (void)state;
+    toy t = toy_named("linear")->toy;
+    tdsp_oracle oracle = toy_oracle(&t, 0);
+    tdsp_build_options options = defaults();
+    const double bad[] = {-1, 0, NAN, INFINITY};
+    options.guarantee = TDSP_GUARANTEE_ABSOLUTE;
+    for (size_t i = 0; i < 4; i++) {
+        options.delta = bad[i];
+        assert_int_equal(outcome(&oracle, &options, NULL), TDSP_INVALID_ARGUMENT);
+    }
+}
+
+#define DIFFERS(change)                                                                                                          \
+    do {                                                                                                                         \
+        workers[1] = oracle;                                                                                                     \
+        workers[1].change;                                                                                                       \
+        assert_int_equal(outcome(&oracle, &options, NULL), TDSP_INVALID_ARGUMENT);                                               \
+    } while (0)
+
 static void workers_must_declare_what_the_oracle_declares(void **state)
 {
     (void)state;
     toy t = toy_named("linear")->toy;
+    t.rough = 1;
     tdsp_oracle oracle = toy_oracle(&t, 0);
     tdsp_oracle workers[2] = {oracle, oracle};
     tdsp_build_options options = geometric();
     options.workers = workers;
     options.worker_count = 2;
     assert_int_equal(outcome(&oracle, &options, NULL), TDSP_OK);
-    workers[1].error = 1e-9;
-    assert_int_equal(outcome(&oracle, &options, NULL), TDSP_INVALID_ARGUMENT);
-    workers[1] = oracle;
-    workers[1].latest_departure = NULL;
-    assert_int_equal(outcome(&oracle, &options, NULL), TDSP_INVALID_ARGUMENT);
-    workers[1] = oracle;
-    workers[1].path = NULL;
-    assert_int_equal(outcome(&oracle, &options, NULL), TDSP_INVALID_ARGUMENT);
+    DIFFERS(size = 3);
+    DIFFERS(monotone = TDSP_MONOTONE_ARRIVAL);
+    DIFFERS(error = 1e-9);
+    DIFFERS(time_scale = 7);
+    DIFFERS(latest_departure = NULL);
+    DIFFERS(path = NULL);
+    DIFFERS(earliest_arrival_within = NULL);
+    DIFFERS(latest_departure_between = NULL);
 }
 
 static void what_an_oracle_cannot_promise_is_not_supported(void **state)
@@ -233,16 +258,14 @@ static void an_oracle_that_breaks_its_word_at_any_call_is_found_out(void **state
     static const toy_fault faults[] = {TOY_NAN, TOY_INFINITE, TOY_EARLY, TOY_NEGATIVE, TOY_ODD_ANSWER};
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
         for (uint64_t at = 1; at < 100; at += at < 12 ? 1 : 11)
-            for (int mode = 0; mode < 4; mode++)
-                check_fault(faults[i], at, mode & 1, mode >> 1, TDSP_BAD_ORACLE);
+            for (int mode = 0; mode < 4; mode++) check_fault(faults[i], at, mode & 1, mode >> 1, TDSP_BAD_ORACLE);
 }
 
 static void errors_of_the_oracle_are_handed_on(void **state)
 {
     (void)state;
     for (uint64_t at = 1; at < 100; at += at < 12 ? 1 : 11)
-        for (int mode = 0; mode < 4; mode++)
-            check_fault(TOY_ERROR, at, mode & 1, mode >> 1, TDSP_FAILED);
+        for (int mode = 0; mode < 4; mode++) check_fault(TOY_ERROR, at, mode & 1, mode >> 1, TDSP_FAILED);
     check_fault(TOY_REVERSE_ERROR, 1, 0, 0, TDSP_FAILED);
     for (uint64_t at = 1; at < 40; at++) {
         check_fault(TOY_REVERSE_ERROR, at, 1, 0, TDSP_FAILED);
@@ -279,8 +302,7 @@ static void travel_times_that_fall_are_found_out(void **state)
 {
     (void)state;
     for (uint64_t at = 3; at < 40; at++)
-        for (int forward_only = 0; forward_only < 2; forward_only++)
-            check_fault(TOY_FALLS, at, 0, forward_only, TDSP_BAD_ORACLE);
+        for (int forward_only = 0; forward_only < 2; forward_only++) check_fault(TOY_FALLS, at, 0, forward_only, TDSP_BAD_ORACLE);
 }
 
 static void the_limit_of_rows_is_kept_to_the_row(void **state)
@@ -368,6 +390,7 @@ int main(void)
         cmocka_unit_test(bad_outputs_and_allocators_are_refused),
         cmocka_unit_test(bad_oracles_are_refused_before_they_are_asked),
         cmocka_unit_test(bad_options_are_refused),
+        cmocka_unit_test(bad_deltas_are_refused),
         cmocka_unit_test(workers_must_declare_what_the_oracle_declares),
         cmocka_unit_test(what_an_oracle_cannot_promise_is_not_supported),
         cmocka_unit_test(a_guarantee_finer_than_the_error_is_not_supported),

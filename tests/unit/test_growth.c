@@ -59,6 +59,9 @@ static void numbers_out_of_their_range_are_refused(void **state)
         disc.center.y = never[i];
         assert_refused(disc, "centre");
         disc = rate_disc(0.1);
+        disc.center.x = never[i];
+        assert_refused(disc, "centre");
+        disc = rate_disc(0.1);
         disc.radius = never[i];
         assert_refused(disc, "radius");
         assert_refused(rate_disc(never[i]), "growth");
@@ -86,6 +89,7 @@ static void growth_of_the_wrong_shape_is_refused(void **state)
     assert_refused(rates_disc(start, NULL, 2), "no rates");
     assert_refused(rates_disc(NULL, values, 2), "no times");
     assert_refused(rates_disc(start, values, 0), "no rates");
+    assert_refused(rates_disc(start, values, (size_t)0x80000000u), "no rates");
 }
 
 static void missing_arguments_are_refused(void **state)
@@ -214,7 +218,8 @@ static void the_moment_from_which_a_radius_shrinks_is_found_at_any_scale(void **
     for (int k = 0; k < 3000; ++k) {
         double values[8], roots[3], unit = pow(10.0, chance_between(&chance, -9.0, 9.0)), radius, rate;
         int count = 1 + (int)chance_below(&chance, 3), lifted = (int)chance_below(&chance, 3);
-        for (int i = 0; i < count; ++i) roots[i] = (i + chance_between(&chance, 0.2, 0.8)) * (i == 1 ? pow(10.0, chance_between(&chance, 0.0, 9.0)) : 1.0);
+        for (int i = 0; i < count; ++i)
+            roots[i] = (i + chance_between(&chance, 0.2, 0.8)) * (i == 1 ? pow(10.0, chance_between(&chance, 0.0, 9.0)) : 1.0);
         if (count == 3) roots[2] = roots[1] * 2.0;
         size_t length = values_of_rate(roots, count, &chance, lifted, chance_between(&chance, 0.1, 3.0), values);
         for (size_t i = 0; i < length; ++i) values[i] *= pow(unit, -1.0 - (double)i);
@@ -238,7 +243,8 @@ static void a_rate_that_touches_zero_does_not_shrink(void **state)
         double values[8], roots[4], unit = pow(10.0, chance_between(&chance, -6.0, 6.0));
         int touches = 1 + (int)chance_below(&chance, 2);
         for (int i = 0; i < touches; ++i) roots[2 * i] = roots[2 * i + 1] = i + chance_between(&chance, 0.1, 0.9);
-        size_t length = values_of_rate(roots, 2 * touches, &chance, (int)chance_below(&chance, 2), chance_between(&chance, 0.1, 3.0), values);
+        size_t length =
+            values_of_rate(roots, 2 * touches, &chance, (int)chance_below(&chance, 2), chance_between(&chance, 0.1, 3.0), values);
         for (size_t i = 0; i < length; ++i) values[i] *= pow(unit, -1.0 - (double)i);
         tdsp_scene *scene = scene_of(polynomial_disc(values, length));
         assert_exact(tdsp_scene_valid_until(scene, NULL), INFINITY);
@@ -250,7 +256,8 @@ static void the_first_disc_to_shrink_is_named(void **state)
 {
     (void)state;
     const double late[2] = {1.0, -0.001}, soon[2] = {1.0, -0.005};
-    const tdsp_growing_disc discs[4] = {rate_disc(1.0), polynomial_disc(late, 2), polynomial_disc(soon, 2), polynomial_disc(late, 2)};
+    const tdsp_growing_disc discs[4] = {rate_disc(1.0), polynomial_disc(late, 2), polynomial_disc(soon, 2),
+                                        polynomial_disc(late, 2)};
     tdsp_scene *scene;
     uint32_t disc;
     assert_int_equal(tdsp_scene_create_growing(&journey, discs, 4, NULL, &scene), TDSP_OK);
@@ -298,7 +305,9 @@ static void the_ends_are_covered_when_halving_says_so(void **state)
         for (int i = 0; i < 5; ++i) {
             for (int m = 0; m < 8; ++m) values[i][m] = chance_below(&chance, 2) ? chance_between(&chance, 0.0, 0.3) : 0.0;
             uint64_t kind = chance_below(&chance, 3);
-            discs[i] = kind == 0 ? rate_disc(values[i][0]) : kind == 1 ? rates_disc(times, values[i], 3) : polynomial_disc(values[i], 1 + chance_below(&chance, 8));
+            discs[i] = kind == 0   ? rate_disc(values[i][0])
+                       : kind == 1 ? rates_disc(times, values[i], 3)
+                                   : polynomial_disc(values[i], 1 + chance_below(&chance, 8));
             discs[i].center = point_make(chance_between(&chance, -9.0, 9.0), chance_between(&chance, -9.0, 9.0));
             discs[i].radius = chance_between(&chance, 0.0, 2.0);
         }

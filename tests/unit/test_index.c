@@ -22,9 +22,9 @@ typedef struct world {
     tdsp_allocator memory;
 } world;
 
-enum { KINDS = 6 };
+enum { KINDS = 7 };
 
-/* Spread out, in clusters, all in one place, in a row, spread out again, clusters nested in clusters; rates alike or not. */
+/* Spread out, in clusters, all in one place, in a row, spread out again, clusters nested in clusters, the same so deep that halving by place would not end; rates alike or not. */
 static geom_disc random_disc(uint64_t *chance, int kind)
 {
     tdsp_point place = point_make(chance_between(chance, -10.0, 10.0), chance_between(chance, -10.0, 10.0));
@@ -32,6 +32,10 @@ static geom_disc random_disc(uint64_t *chance, int kind)
     if (kind == 2) place = point_make(1.0, 1.0);
     if (kind == 3) place.y = 0.0;
     if (kind == 5) place = point_scale(ldexp(1.0, -(int)chance_below(chance, 300)), place);
+    if (kind == 6) {
+        const double scale = ldexp(1.0, -(int)chance_below(chance, 140));
+        return disc_make(point_make(scale, 0.0), 0.25 * scale, 0.0);
+    }
     double rate = kind % 2 ? 0.2 : chance_between(chance, 0.0, 1.3);
     return disc_make(place, chance_between(chance, 0.0, 0.6), rate);
 }

@@ -405,9 +405,9 @@ static void a_law_that_breaks_a_condition_is_refused_and_told_which(void **state
     }
 }
 
-static tdsp_growing_disc law_disc(tdsp_growth_law law, size_t count, const double *kinks)
+static tdsp_growing_disc law_disc(tdsp_growth_law ask, size_t count, const double *kinks)
 {
-    return (tdsp_growing_disc){{1.0, 2.0}, 1.0, {TDSP_GROWTH_LAW, 0.0, count, NULL, kinks, law, NULL, 100.0}};
+    return (tdsp_growing_disc){{1.0, 2.0}, 1.0, {TDSP_GROWTH_LAW, 0.0, count, NULL, kinks, ask, NULL, 100.0}};
 }
 
 static void a_law_that_breaks_a_condition_only_somewhere_is_refused_too(void **state)

@@ -34,7 +34,7 @@ for program in "$@"; do
     [ -f "tests/fuzz/$name.dict" ] && words=("-dict=tests/fuzz/$name.dict")
     begin=$SECONDS
     # Warnings of the command come by the million: into a file, and out of the report.
-    "$program" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+    "$program" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
         "${words[@]}" -artifact_prefix="$kept-" "$kept" "${inputs[@]}" >"$kept.log" 2>&1
     status=$?
     crashes=$(find "$(dirname "$kept")" -maxdepth 1 -regex ".*/$name-\(crash\|timeout\|oom\|leak\)-.*" | wc -l)

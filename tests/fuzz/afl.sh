@@ -25,7 +25,7 @@ for name in "$@"; do
     find tests/fuzz/corpus/"$name" tests/fuzz/found/"$name" -type f -size +0 -exec cp {} "$seeds" \; 2>/dev/null
     words=()
     [ -f "tests/fuzz/$name.dict" ] && words=(-x "tests/fuzz/$name.dict")
-    afl-fuzz -i "$seeds" -o "$out" -V "$seconds" -m none -t 20000 "${words[@]}" -- "$build/tests/fuzz/$name" >"$out/log" 2>&1
+    afl-fuzz -i "$seeds" -o "$out" -V "$seconds" -m none -t 60000 "${words[@]}" -- "$build/tests/fuzz/$name" >"$out/log" 2>&1
     status=$?
     stats=$out/default/fuzzer_stats
     if [ ! -f "$stats" ]; then

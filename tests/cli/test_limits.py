@@ -27,6 +27,8 @@ def many_discs(count):
 
 
 def within(seconds, function, *arguments, **more):
+    """In this time on an idle machine; what takes six times as long hangs or has become slow, whatever else the machine does."""
+    seconds *= 6
     begin = time.monotonic()
     result = function(*arguments, **more)
     expect(time.monotonic() - begin < seconds, f"took {time.monotonic() - begin:.1f} s, not under {seconds}")
@@ -61,7 +63,7 @@ def a_table_that_claims_more_than_there_is_memory_for_ends_with_a_message():
     data = pathlib.Path(built()).read_bytes()
     endless = f"(head -c 16 t.tdsp; printf '\\377\\377\\377\\377\\377\\377\\377\\377'; yes) | {TDSP} info -"
     if os.environ.get("TDSP", "").find("sanitize") < 0:  # address space is what a sanitizer takes most of
-        ended = subprocess.run(["bash", "-c", f"ulimit -v 1000000; {endless}"], capture_output=True, timeout=120)
+        ended = subprocess.run(["bash", "-c", f"ulimit -v 1000000; {endless}"], capture_output=True, timeout=600)
         expect_equal(ended.returncode, 4, ended.stderr)
         expect(b"memory" in ended.stderr, ended.stderr)
     fails(3, ["longer than it says"], "info", write("more.tdsp", data + bytes(100000)))
@@ -161,7 +163,7 @@ def a_build_that_takes_too_long_can_be_ended_and_leaves_the_old_table():
         running = subprocess.Popen([TDSP, "build", "scene.json", "-o", "t.tdsp", "--epsilon", "1e-9"], stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         time.sleep(0.5)
         running.send_signal(number)
-        running.communicate(timeout=20)
+        running.communicate(timeout=120)
         expect(running.returncode != 0, "ended by itself")
         expect_equal(pathlib.Path("t.tdsp").read_bytes() == before, True, "the old table")
         expect_equal(sorted(os.listdir(".")), ["scene.json", "t.tdsp"], "files")

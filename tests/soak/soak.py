@@ -16,7 +16,6 @@ import sys
 import time
 
 PART = 1000
-PART_SECONDS = 3600
 
 
 def arguments():
@@ -44,7 +43,7 @@ class Part:
         command = [self.args.program, "--seed", str(self.args.seed), "--from", str(self.first), "--count", str(self.count),
                    "--quiet", "--found", str(self.args.out), "--report", str(self.report)]
         with open(self.log, "w", encoding="utf-8") as log:
-            status = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, timeout=PART_SECONDS, check=False).returncode
+            status = subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, check=False).returncode
         return self, status
 
     def failures(self):

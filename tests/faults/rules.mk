@@ -19,13 +19,14 @@ $(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c) $(STATIC)
 # A small quarantine: a victim's fork copies what the allocator holds back.
 CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/faults/campaign.py
 
+FAULTS_OF ?= unit property
 .PHONY: faulty-programs run-faults faults
 faulty-programs: $(FAULTY) $(SHIMMED)
 faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000, then ever fewer) and every file operation
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all
 	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
-	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)
+	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(foreach kind,$(FAULTS_OF),$(filter $(BUILD)/sanitize/tests/faults/$(kind)/%,$(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)))
 
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.

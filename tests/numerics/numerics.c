@@ -14,22 +14,22 @@
 #include "numerics/measure.h"
 #include "support/random_scene.h"
 
-enum { QUESTIONS = 4, MOST_RANDOM = 6, CHECKED = 3 };
+enum { QUESTIONS = 4, MOST_RANDOM = 6, CHECKED = 12, HARD = HARD_MIX_COUNT, MIXES = HARD + (int)RANDOM_MIX_COUNT };
 
 static const char *mix_name(int mix)
 {
-    return mix < HARD_MIX_COUNT ? hard_mix_name((hard_mix)mix) : random_mix_name((random_mix)(mix - HARD_MIX_COUNT));
+    return mix < HARD ? hard_mix_name((hard_mix)mix) : random_mix_name((random_mix)(mix - HARD));
 }
 
 static void measure_one(int mix, uint64_t seed, measured *into)
 {
     static tdsp_disc discs[RANDOM_MOST_DISCS];
     numeric_case c = {.name = mix_name(mix), .seed = seed, .chance = seed, .discs = discs, .into = into};
-    if (mix < HARD_MIX_COUNT) {
+    if (mix < HARD) {
         c.count = hard_scene(seed, (hard_mix)mix, &c.journey, discs, &c.first);
     } else {
         c.count = 1 + (size_t)(seed % MOST_RANDOM);
-        random_scene(seed, (random_mix)(mix - HARD_MIX_COUNT), c.count, &c.journey, discs);
+        random_scene(seed, (random_mix)(mix - HARD), c.count, &c.journey, discs);
     }
     c.unit = hypot(c.journey.destination.x - c.journey.source.x, c.journey.destination.y - c.journey.source.y) / c.journey.speed;
     if (tdsp_scene_create(&c.journey, discs, c.count, NULL, &c.scene) != TDSP_OK || tdsp_solver_create(c.scene, &c.solver) != TDSP_OK) {
@@ -58,7 +58,7 @@ static void print_row(const char *name, const measured *m)
 static void print_table(uint64_t scenes)
 {
     printf("| mix | scenes | questions | roundings | error of A | too late | too early | touches | touch | outside | fall | depth |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n");
-    for (int mix = 0; mix < HARD_MIX_COUNT + RANDOM_MIX_COUNT; mix++) {
+    for (int mix = 0; mix < MIXES; mix++) {
         const measured m = measure_mix(mix, 0, scenes);
         print_row(mix_name(mix), &m);
         if (m.worst[0]) fprintf(stderr, "beyond a bound: %s\n", m.worst);
@@ -68,7 +68,7 @@ static void print_table(uint64_t scenes)
 static int check(void)
 {
     int failed = 0;
-    for (int mix = 0; mix < HARD_MIX_COUNT + RANDOM_MIX_COUNT; mix++) {
+    for (int mix = 0; mix < MIXES; mix++) {
         const measured m = measure_mix(mix, 0, CHECKED);
         failed |= m.worst[0] != '\0';
         printf("%s %s stays within the stated errors%s%s\n", m.worst[0] ? "not ok" : "ok", mix_name(mix), m.worst[0] ? ": " : "", m.worst);
@@ -78,7 +78,7 @@ static int check(void)
 
 static int one(const char *name, uint64_t seed)
 {
-    for (int mix = 0; mix < HARD_MIX_COUNT + RANDOM_MIX_COUNT; mix++) {
+    for (int mix = 0; mix < MIXES; mix++) {
         if (strcmp(name, mix_name(mix)) != 0) continue;
         const measured m = measure_mix(mix, seed, 1);
         print_row(name, &m);

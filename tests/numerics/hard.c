@@ -111,8 +111,10 @@ static size_t make_near_speed(hard_maker *m)
 {
     const size_t count = 1 + chance_below(&m->chance, 4);
     for (size_t i = 0; i < count; i++) {
-        const double x = between(m, -0.9, -0.2), y = either_sign(m, between(m, 0.05, 0.5));
-        m->discs[i] = i > 0 && one_in(m, 2) ? any_disc(m, between(m, 0.0, 0.3)) : disc_at(x, y, between(m, 0.0, 0.04), 1.0 - little(m, 3, 12));
+        /* Farther from the destination than the source is, or no path would be in time. */
+        const double y = either_sign(m, between(m, 0.0, 1.0)), away = 2.0 + between(m, 0.001, 0.2), x = 1.0 - sqrt(away * away - y * y);
+        const double beside = sqrt((x + 1.0) * (x + 1.0) + y * y);
+        m->discs[i] = i > 0 && one_in(m, 2) ? any_disc(m, between(m, 0.0, 0.3)) : disc_at(x, y, beside * between(m, 0.0, 1.0), 1.0 - little(m, 3, 12));
     }
     return count;
 }

@@ -250,15 +250,17 @@ static double form_change(numeric_case *c, double low, double high)
     return low;
 }
 
-/* Where answers are easy, beside a jump, and beside a change of the path's form: a touch, or a switch. */
+/* Where answers are easy, beside a jump, beside a change of the path's form (a touch, or a switch), and just before the source is covered. */
 static double departure_for(numeric_case *c, int question, double last)
 {
     const double from = fmin(c->first, last), any = chance_between(&c->chance, from, last);
     double step = chance_between(&c->chance, 1.0, 10.0);
     for (uint64_t k = 4 + chance_below(&c->chance, 13); k > 0; k--) step /= 10.0;
     if (question == 0) return c->first;
-    if (question % 3 == 1) return any;
-    const double at = question % 3 == 2 ? steepest(c, fmin(any, last), last) : form_change(c, from, any);
+    if (question % 4 == 1) return any;
+    const double covered = tdsp_scene_source_free_until(c->scene, NULL);
+    if (question % 4 == 0 && covered < 1e3 * c->unit) return fmax(covered - step * fmax(c->unit, covered), 0.0);
+    const double at = question % 4 == 2 ? steepest(c, fmin(any, last), last) : form_change(c, from, any);
     return fmax(at + (chance_below(&c->chance, 2) ? step : -step) * c->unit, 0.0);
 }
 

@@ -14,7 +14,7 @@
 #include "numerics/measure.h"
 #include "support/random_scene.h"
 
-enum { QUESTIONS = 4, MOST_RANDOM = 6, CHECKED = 12, HARD = HARD_MIX_COUNT, MIXES = HARD + (int)RANDOM_MIX_COUNT };
+enum { QUESTIONS = 5, MOST_RANDOM = 6, CHECKED = 12, HARD = HARD_MIX_COUNT, MIXES = HARD + (int)RANDOM_MIX_COUNT };
 
 static const char *mix_name(int mix)
 {

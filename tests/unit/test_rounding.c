@@ -49,10 +49,44 @@ static void no_leg_ends_before_it_begins_where_the_arrival_is_a_touch_late(void 
     world_free(w);
 }
 
+/*
+ * So near to a disc that it counts as touched, the second root of the tangents to it was taken for a leg of no length. Its ride began where the one to the other side
+ * does, a moment too early, and drove that one out: the robot went the long way round, T = 11.67.
+ */
+static void a_source_just_before_it_is_covered_is_left_on_the_shorter_side(void **state)
+{
+    (void)state;
+    static const tdsp_disc disc = {{4.118967169731425, 1.6081529091159112}, 0.35839264562669249, 0.082125410843469554};
+    const tdsp_point source = {4.4076124114462845, -0.57906964610513401}, destination = {-source.x, -source.y};
+    world w = world_make((tdsp_journey){1.4220572780052794, 0.0, source, destination}, &disc, 1);
+    const double covered = tdsp_scene_source_free_until(w.scene, NULL);
+    for (double before = 1e-9; before > 1e-14; before *= 0.3) assert_near(world_arrival(w, covered - before) - (covered - before), 6.26119170908977, 2.0 * before + 1e-13);
+    world_free(w);
+}
+
+/* The same backwards: the latest departures that reach a destination just before it is covered. */
+static void a_destination_just_before_it_is_covered_is_reached_on_the_shorter_side(void **state)
+{
+    (void)state;
+    static const tdsp_disc disc = {{0.98, -0.3}, 0.1, 0.05};
+    world w = world_make((tdsp_journey){1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}}, &disc, 1);
+    const double covered = tdsp_scene_destination_free_until(w.scene, NULL);
+    double at_last, departure, arrives;
+    assert_int_equal(tdsp_latest_departure(w.solver, covered, &at_last, NULL), TDSP_OK);
+    for (double before = 1e-9; before > 1e-14; before *= 0.3) {
+        assert_int_equal(tdsp_latest_departure(w.solver, covered - before, &departure, &arrives), TDSP_OK);
+        assert_near(arrives, covered - before, 1e-13);
+        assert_near(departure, at_last, 2.0 * before + 1e-13);
+    }
+    world_free(w);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ride_that_vanishes_as_its_disc_is_swallowed_costs_nothing),
+        cmocka_unit_test(a_source_just_before_it_is_covered_is_left_on_the_shorter_side),
+        cmocka_unit_test(a_destination_just_before_it_is_covered_is_reached_on_the_shorter_side),
         cmocka_unit_test(no_leg_ends_before_it_begins_where_the_arrival_is_a_touch_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

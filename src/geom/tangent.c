@@ -34,8 +34,16 @@ static int tangent_is_concentric(const geom_tangent *tangent, double time)
     return tangent->distance <= CONCENTRIC * (disc_radius(tangent->from, time) + disc_radius(tangent->to, time));
 }
 
+/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
+static int tangent_stands(const geom_tangent *tangent)
+{
+    return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
+}
+
+/* Where it is constant it has to be so to the bit: near |k| = 1 the rounding of two radii makes 1e-8 of acos(k). */
 static double tangent_k(const geom_tangent *tangent, double time)
 {
+    if (tangent_stands(tangent)) return tangent->from->radius - tangent->to->radius;
     return disc_radius(tangent->from, time) * tangent->cos_alpha - disc_radius(tangent->to, time);
 }
 
@@ -193,12 +201,6 @@ static double leave_value(const leave_equation *equation, double time, double *s
     double ridden = spiral_angle(tangent->from, equation->t0, time) - equation->ridden;
     *slope = -tangent->from->sine * (length > 0.0 ? length : 0.0) / (disc_radius(tangent->from, time) * reach);
     return equation->fall_start + tangent->root * (moved - ridden);
-}
-
-/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
-static int tangent_stands(const geom_tangent *tangent)
-{
-    return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
 }
 
 /*

@@ -19,6 +19,10 @@
 /* ... and relative to the coordinates: those of a disc much smaller than the journey are rounded as those of a large one are. */
 #define GEOM_PLACE 4e-15
 
+/* Of a disc hundreds of journeys large that would be more than a path may be wrong by: there it is so much of a journey, and a hundred roundings of the sizes. */
+#define GEOM_CONTACT_LARGE 5e-10
+#define GEOM_ROUNDING 2e-14
+
 /* Where an angle equation counts as solved; round-off of the terms is just below. */
 #define GEOM_ANGLE 2e-14
 
@@ -37,7 +41,8 @@ static inline double tolerance_place(tdsp_point center)
 /* The depth that is still a touch for a disc at `center`, `sizes` being distance plus radius. */
 static inline double tolerance_touch(tdsp_point center, double sizes)
 {
-    return GEOM_CONTACT * sizes + tolerance_place(center);
+    double depth = GEOM_CONTACT * sizes, most = GEOM_CONTACT_LARGE + GEOM_ROUNDING * sizes;
+    return (depth < most ? depth : most) + tolerance_place(center);
 }
 
 /* Rounding of a moment that is counted from time 0, relative to it: of when a disc covers a place, and of a departure. */

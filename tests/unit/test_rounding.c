@@ -81,12 +81,44 @@ static void a_destination_just_before_it_is_covered_is_reached_on_the_shorter_si
     world_free(w);
 }
 
+/*
+ * Disc 0 touches disc 1 from inside, and both grow at one rate, so it does for ever. The leg from one to the other has a length and a direction that are rounding alone; from moment
+ * to moment they were other ones, by 1e-8, and a robot that changed over and back again gained as much.
+ */
+static void nothing_is_gained_by_changing_over_between_discs_that_touch_from_inside(void **state)
+{
+    (void)state;
+    static const tdsp_disc discs[] = {{{0.30551307397315114, -0.631482715100382}, 0.1124989051065784, 0.1759234298949048},
+                                      {{0.3449378765985501, -0.5488319159842825}, 0.20407111517372425, 0.1759234298949048},
+                                      {{0.15575136544195028, 0.12546518307071514}, 0.1, 0.2}};
+    const tdsp_point source = {0.6273259153535756, -0.7787568272097514}, destination = {-source.x, -source.y};
+    world w = world_make((tdsp_journey){1.0, 0.0, source, destination}, discs, 3);
+    assert_near(world_arrival(w, 0.525) - 0.525, 2.374952872546834256, 1e-13);
+    world_free(w);
+}
+
+/* A touch of 1e-12 of a disc of 57186 is 5.7e-8, which is more than any path may be wrong by. Precisely, there is no way. */
+static void a_touch_of_a_huge_disc_is_no_deeper_than_a_path_may_be(void **state)
+{
+    (void)state;
+    static const tdsp_disc discs[] = {{{0.923901, 0.139414211}, 4.7e-05, 0.213395139},
+                                      {{6292120, -118090352}, 118257862, 0},
+                                      {{-17388.9670697, 54479.1618222}, 57186.507495937491, 0}};
+    double arrival;
+    world w = world_make((tdsp_journey){1.0, 0.0, {0.0, 0.0}, {2.0, 0.0}}, discs, 3);
+    assert_int_equal(tdsp_earliest_arrival(w.solver, 1.9722645, &arrival), TDSP_CUT_OFF);
+    assert_near(world_arrival(w, 1.9) - 1.9, 2.716692032496362695, 1e-13);
+    world_free(w);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ride_that_vanishes_as_its_disc_is_swallowed_costs_nothing),
         cmocka_unit_test(a_source_just_before_it_is_covered_is_left_on_the_shorter_side),
         cmocka_unit_test(a_destination_just_before_it_is_covered_is_reached_on_the_shorter_side),
+        cmocka_unit_test(nothing_is_gained_by_changing_over_between_discs_that_touch_from_inside),
+        cmocka_unit_test(a_touch_of_a_huge_disc_is_no_deeper_than_a_path_may_be),
         cmocka_unit_test(no_leg_ends_before_it_begins_where_the_arrival_is_a_touch_late),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -19,13 +19,15 @@ geom_pair pair_make(const geom_disc *from, const geom_disc *to)
 geom_tangent tangent_make(const geom_pair *pair, int side, int to_side, int root)
 {
     const geom_disc *i = pair->from, *j = pair->to;
-    geom_tangent tangent = {i, j, side, to_side, root, pair->distance, pair->farthest, pair->bearing, 0.0, 0.0};
+    geom_tangent tangent = {i, j, side, to_side, root, pair->distance, pair->farthest, pair->bearing, 0.0, 0.0, 0.0, 0.0};
     tangent.cos_alpha = i->rate * j->rate + side * to_side * i->sine * j->sine;
     tangent.sin_alpha = side * i->sine * j->rate - to_side * i->rate * j->sine;
     if (side == to_side && i->rate == j->rate) {
         tangent.cos_alpha = 1.0;
         tangent.sin_alpha = 0.0;
     }
+    tangent.k_start = i->radius * tangent.cos_alpha - j->radius;
+    tangent.k_slope = i->rate * tangent.cos_alpha - j->rate;
     return tangent;
 }
 
@@ -34,17 +36,9 @@ static int tangent_is_concentric(const geom_tangent *tangent, double time)
     return tangent->distance <= CONCENTRIC * (disc_radius(tangent->from, time) + disc_radius(tangent->to, time));
 }
 
-/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
-static int tangent_stands(const geom_tangent *tangent)
-{
-    return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
-}
-
-/* Where it is constant it has to be so to the bit: near |k| = 1 the rounding of two radii makes 1e-8 of acos(k). */
 static double tangent_k(const geom_tangent *tangent, double time)
 {
-    if (tangent_stands(tangent)) return tangent->from->radius - tangent->to->radius;
-    return disc_radius(tangent->from, time) * tangent->cos_alpha - disc_radius(tangent->to, time);
+    return tangent->k_start + tangent->k_slope * time;
 }
 
 static double tangent_w(const geom_tangent *tangent, double time)
@@ -110,7 +104,7 @@ static void domain_of_k(const geom_tangent *tangent, double t0, double t1, doubl
 {
     double limit = tangent->farthest;
     double k0 = tangent_k(tangent, t0);
-    double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    double slope = tangent->k_slope;
     *lo = t0;
     *hi = t1;
     if (slope == 0.0) {
@@ -134,7 +128,7 @@ static void domain_of_k(const geom_tangent *tangent, double t0, double t1, doubl
 static int gap_open(const geom_tangent *tangent, double t0, double *lo, double *hi)
 {
     double k0 = tangent_k(tangent, t0), w0 = tangent_w(tangent, t0);
-    double k1 = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    double k1 = tangent->k_slope;
     double w1 = -tangent->to_side * tangent->from->rate * tangent->sin_alpha;
     double a = k1 * k1 + w1 * w1, b = k0 * k1 + w0 * w1;
     double c = k0 * k0 + w0 * w0 - tangent->farthest * tangent->farthest;
@@ -203,6 +197,12 @@ static double leave_value(const leave_equation *equation, double time, double *s
     return equation->fall_start + tangent->root * (moved - ridden);
 }
 
+/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
+static int tangent_stands(const geom_tangent *tangent)
+{
+    return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
+}
+
 /*
  * Newton inside a bracket: value(lo) >= 0; whether value(hi) <= 0 is asked only when a step leads there. Where the departure point stands nearly
  * still, the time that the rider takes to turn to where it was is nearly the answer. Every eighth step halves what is left, so it ends. Returns 0 when there is none.
@@ -238,7 +238,7 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
 /* Concentric discs: one moment, from every angle. */
 static int leave_concentric(const geom_tangent *tangent, double t0, double t1, double *leave)
 {
-    double slope = tangent->from->rate * tangent->cos_alpha - tangent->to->rate;
+    double slope = tangent->k_slope;
     if (slope == 0.0) return 0;
     double time = t0 - tangent_k(tangent, t0) / slope;
     if (!(time >= t0) || !(time <= t1) || tangent_w(tangent, time) >= 0.0) return 0;

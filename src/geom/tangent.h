@@ -34,6 +34,8 @@ typedef struct geom_tangent {
     double bearing;    /* arg(D) */
     double cos_alpha;
     double sin_alpha;
+    double k_start; /* K = k_start + k_slope t: the same to the bit all the time where the slope is 0. Near |k| = 1 the rounding of two radii would be 1e-8 of acos(k) */
+    double k_slope;
 } geom_tangent;
 
 /* What two discs have in common for all their branches. */

@@ -1,5 +1,5 @@
 # Numbers: the library's answers beside those of the slow solver in long double, a bound beside each error (docs/numerics.md).
-NUMERICS_SCENES ?= 100
+NUMERICS_SCENES ?= 60
 NUMERICS := $(BUILD)/tests/numerics/numerics
 # The sources of tests/slow once more, with other names and another number.
 PRECISE := $(patsubst tests/slow/%.c,$(BUILD)/obj/tests/precise/%.o,$(wildcard tests/slow/slow*.c))
@@ -11,7 +11,7 @@ $(NUMERICS): $(call objects,$(wildcard tests/numerics/*.c)) $(PRECISE) $(SUPPORT
 	$(CC) $(LDFLAGS) $(filter %.o %.a,$^) $(TEST_LIBS) -o $@
 
 .PHONY: numerics
-numerics: $(NUMERICS) all ## measure the errors of answers against a precise solver (NUMERICS_SCENES=100 of each mix) and with a hundred digits
+numerics: $(NUMERICS) all ## measure the errors of answers against a precise solver (NUMERICS_SCENES=60 of each mix) and with a hundred digits
 	$< table $(NUMERICS_SCENES)
 	$(PYTHON) tests/numerics/digits.py $(BUILD) --table --scenes examples/scenes $(wildcard $(TDSP_DATA)/scenes)
 

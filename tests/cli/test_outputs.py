@@ -226,6 +226,75 @@ def verify_deep_finds_tables_of_another_world():
         expect(any(words in problem for problem in result["problems"]), (name, result))
 
 
+@test
+def names_that_json_must_escape_read_back():
+    odd = 'a "b" \\ c\t.tdsp'
+    expect_equal(done("build", scene(), "-o", odd, "--json").json["table"], odd)
+
+
+@test
+def a_deadline_before_any_arrival_has_no_latest_departure():
+    one = done("margin", scene(), 1, "--deadline", 5, "--json", status=1).json["results"][0]
+    expect_equal([one["latest"][key] for key in ("departure", "arrives", "status", "limit", "disc")], [None, None, "arrival_too_early", "none", None])
+
+
+@test
+def pictures_of_many_jumps_name_the_largest_and_info_counts_the_rest():
+    places = [1.5]
+    while len(places) < 14:
+        places.append(places[-1] + 3 + 0.3 * len(places))  # a wall whose gaps close one after the other, from the middle outwards
+    gates = [{"center": [0, side * y], "radius": 1, "growth": 0.01} for y in places for side in (1, -1)]
+    for units in (TWO_DISCS["units"], {"length": "", "time": ""}):
+        file = scene(discs=gates, units=units, name="a name so long that no title holds it " * 10)
+        done("build", file, "-o", "t.tdsp", "--epsilon", 0.02)
+        jumps = done("info", "t.tdsp", "--json").json["jumps"]
+        expect(len(jumps) > 10, jumps)
+        expect(f"and {len(jumps) - 10} more" in done("info", "t.tdsp").out, "info")
+        for what in (file, "t.tdsp"):
+            done("plot", what, "-o", "a.svg", "--depart", 1)
+            picture = pathlib.Path("a.svg").read_text()
+            expect(picture.startswith("<?xml") and "nan" not in picture, what)
+
+
+@test
+def a_matrix_is_verified_pair_by_pair():
+    write("from.csv", "-10,0,gate\n0,3,covered\n")
+    write("to.csv", "10,0,A\n")
+    done("matrix", scene(), "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--horizon", 5)
+    far = [{"center": [0, 50], "radius": 1, "growth": 0.1}]
+    result = done("verify", scene("free.json", discs=far), "m.tdspm", "--json", status=1).json
+    expect(any("but the source is free" in problem for problem in result["problems"]), result)
+    on_gate = [{"center": [-10, 0], "radius": 1, "growth": 0.1}]
+    result = done("verify", scene("gate.json", discs=on_gate), "m.tdspm", "--json", status=1).json
+    expect(any("another scene" in problem for problem in result["problems"]), result)
+    done("matrix", scene("alone.json", discs=[]), "--sources", "from.csv", "--destinations", "to.csv", "-o", "n.tdspm", "--horizon", 5)
+    expect(done("verify", "alone.json", "n.tdspm", "--json").json["ok"], "no disc at all")
+
+
+@test
+def scenes_without_size_or_discs_are_drawn():
+    for discs in ([], [{"center": [0, 0], "radius": 0, "growth": 0}]):
+        file = scene(discs=discs)
+        done("plot", file, "-o", "a.svg")
+        done("plot", file, "-o", "a.png", "--depart", 3)
+        expect(pathlib.Path("a.png").read_bytes().startswith(b"\x89PNG"), "png")
+    fails(2, ["--from and --to go with"], "plot", built(), "-o", "a.svg", "--from", "0,0")
+
+
+@test
+def links_to_outputs_are_followed_also_by_their_whole_names():
+    done("build", scene(), "-o", "there.tdsp")
+    os.symlink(os.path.abspath("there.tdsp"), "link.tdsp")
+    before = pathlib.Path("there.tdsp").read_bytes()
+    done("build", "scene.json", "-o", "link.tdsp", "--epsilon", 0.5)
+    expect(os.path.islink("link.tdsp") and pathlib.Path("there.tdsp").read_bytes() != before, "the link was replaced")
+
+
+@test
+def help_for_what_is_no_command_suggests_one():
+    fails(2, ["arrive"], "arive")
+
+
 def with_terminal(*arguments):
     """Run with standard error on a terminal; the exit status and what came there."""
     master, slave = pty.openpty()

@@ -46,18 +46,3 @@ gboolean table_path_find(const tdsp_table *table, double departure, TablePath *o
     *out = found;
     return TRUE;
 }
-
-GArray *table_path_row(const tdsp_table *table, guint64 row, GError **error)
-{
-    tdsp_row facts;
-    tdsp_status status = tdsp_table_row(table, row, &facts);
-    g_autoptr(GArray) legs = g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
-    for (guint64 i = 0; status == TDSP_OK && i < facts.legs; i++) {
-        tdsp_leg leg;
-        status = tdsp_table_row_leg(table, row, i, &leg);
-        if (status == TDSP_OK) g_array_append_val(legs, leg);
-    }
-    if (status == TDSP_OK) return g_steal_pointer(&legs);
-    cli_fail_status(error, "row", status);
-    return NULL;
-}

@@ -16,7 +16,5 @@ typedef struct TablePath {
 
 gboolean table_path_find(const tdsp_table *table, double departure, TablePath *out, GError **error);
 
-/* The legs of row `row` as stored. NULL on failure. */
-GArray *table_path_row(const tdsp_table *table, guint64 row, GError **error);
 
 #endif

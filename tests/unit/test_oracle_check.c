@@ -301,6 +301,30 @@ static void what_is_no_rule_has_a_text_too(void **state)
     assert_string_equal(tdsp_oracle_rule_name(odd.rule), "unknown");
 }
 
+/* What is wrong with the form of a path is wrong for a builder too: no table holds it. */
+static void a_builder_refuses_the_paths_that_the_kit_refuses(void **state)
+{
+    (void)state;
+    mutation change;
+    int refused = 0;
+    for (int which = 0;; which++) {
+        mutant m;
+        void *bytes = NULL;
+        size_t length;
+        mutant_make(&m);
+        tdsp_oracle oracle = mutant_sound(&m);
+        tdsp_build_options options;
+        tdsp_build_options_init(&options);
+        if (!mutant_spoil(which, &oracle, &change)) break;
+        if (change.rule != TDSP_RULE_PATH_FORM) continue;
+        const tdsp_status status = tdsp_build(&oracle, &options, NULL, &bytes, &length, NULL);
+        if (status != TDSP_BAD_ORACLE && status != TDSP_BAD_PATH) fail_msg("%s: %s", change.name, tdsp_status_name(status));
+        assert_null(bytes);
+        refused++;
+    }
+    assert_true(refused > 20);
+}
+
 /* Whenever the calls end: a mutant is accused of what it does or of nothing. */
 static void a_limit_of_calls_makes_no_other_rule_look_broken(void **state)
 {
@@ -434,6 +458,7 @@ int main(void)
         cmocka_unit_test(only_the_last_departure_of_all_may_be_refused),
         cmocka_unit_test(times_at_the_end_of_numbers_and_sides_that_waver_are_sound),
         cmocka_unit_test(what_is_no_rule_has_a_text_too),
+        cmocka_unit_test(a_builder_refuses_the_paths_that_the_kit_refuses),
         cmocka_unit_test(a_limit_of_calls_makes_no_other_rule_look_broken),
         cmocka_unit_test(calls_are_limited_and_the_findings_say_so),
         cmocka_unit_test(the_same_seed_finds_the_same),

@@ -3,7 +3,7 @@
  *
  * Knuth's TwoSum gives a + b = s + e exactly with s the rounded sum, in rounding to nearest and without overflow. So
  * the sum rounded up is s where e <= 0 and the next double where e > 0: one step, and only where the sum was inexact.
- * The same with the sign turned rounds down. An infinite s is returned as it is.
+ * The same with the sign turned rounds down. An infinite s is returned as it is: its error is no number.
  */
 #ifndef BASE_ROUND_H
 #define BASE_ROUND_H
@@ -54,13 +54,13 @@ static inline double round_sum_error(double a, double b, double s)
 static inline double round_add_up(double a, double b)
 {
     double s = a + b;
-    return round_is_finite(s) && round_sum_error(a, b, s) > 0 ? round_next_up(s) : s;
+    return round_sum_error(a, b, s) > 0 ? round_next_up(s) : s;
 }
 
 static inline double round_add_down(double a, double b)
 {
     double s = a + b;
-    return round_is_finite(s) && round_sum_error(a, b, s) < 0 ? round_next_down(s) : s;
+    return round_sum_error(a, b, s) < 0 ? round_next_down(s) : s;
 }
 
 /* Is the real number a + b at most c? */

@@ -31,12 +31,10 @@ size_t text_utf8_length(const unsigned char *p, const unsigned char *end)
 
 int text_is_utf8(const unsigned char *p, size_t length)
 {
-    if (length == 0) return 1; /* p may be NULL */
-    const unsigned char *end = p + length;
-    while (p < end) {
-        size_t step = text_utf8_length(p, end);
+    size_t step; /* p may be NULL where nothing is to be read */
+    for (size_t at = 0; at < length; at += step) {
+        step = text_utf8_length(p + at, p + length);
         if (step == 0) return 0;
-        p += step;
     }
     return 1;
 }

@@ -144,6 +144,7 @@ static void a_double_is_hashed_as_8_little_endian_bytes_and_minus_zero_as_zero(v
     assert_true(hash_double(HASH_FNV1A_SEED, 1.0) == hash_fnv1a(HASH_FNV1A_SEED, one, 8));
     assert_true(hash_double(HASH_FNV1A_SEED, -0.0) == hash_double(HASH_FNV1A_SEED, 0.0));
     assert_true(hash_double(HASH_FNV1A_SEED, -1.0) != hash_double(HASH_FNV1A_SEED, 1.0));
+    assert_true(hash_double(HASH_FNV1A_SEED, NAN) != hash_double(HASH_FNV1A_SEED, 0.0));
 }
 
 static void crc32c_has_its_published_values(void **state)
@@ -172,6 +173,16 @@ static int is_utf8(const char *text)
     return text_is_utf8((const unsigned char *)text, strlen(text));
 }
 
+static void a_character_that_the_end_cuts_off_is_none_even_if_the_rest_stands_behind(void **state)
+{
+    (void)state;
+    const char *whole[] = {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80"};
+    for (size_t i = 0; i < 3; i++) {
+        const unsigned char *p = (const unsigned char *)whole[i];
+        for (size_t length = 0; length <= i + 2; length++) assert_int_equal(text_utf8_length(p, p + length), length == i + 2 ? length : 0);
+    }
+}
+
 static void text_is_utf8_as_the_standard_has_it(void **state)
 {
     (void)state;
@@ -182,6 +193,7 @@ static void text_is_utf8_as_the_standard_has_it(void **state)
     for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) assert_true(is_utf8(good[i]));
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) assert_false(is_utf8(bad[i]));
     assert_int_equal(text_utf8_length((const unsigned char *)"", (const unsigned char *)""), 0);
+    assert_true(text_is_utf8(NULL, 0));
 }
 
 int main(void)
@@ -199,6 +211,7 @@ int main(void)
         cmocka_unit_test(a_double_is_hashed_as_8_little_endian_bytes_and_minus_zero_as_zero),
         cmocka_unit_test(crc32c_has_its_published_values),
         cmocka_unit_test(crc32c_goes_on_where_it_stopped),
+        cmocka_unit_test(a_character_that_the_end_cuts_off_is_none_even_if_the_rest_stands_behind),
         cmocka_unit_test(text_is_utf8_as_the_standard_has_it),
     };
     return cmocka_run_group_tests_name("bytes", tests, NULL, NULL);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Take each condition of the freestanding line always, and never, and see whether a unit test notices.
 
-    mutate.py --build DIRECTORY [--jobs N] [--sample N] [--only TEXT] PROGRAM...
+    mutate.py --build DIRECTORY [--jobs N] [--sample N] [--only PATTERN] PROGRAM...
 
 Each conditional instruction of layers 0 to 2 makes two mutants. A mutant is killed when a test program that reaches the
 condition fails, crashes or takes more than four times as long as it does. Those that no test can kill, because the change makes no
@@ -20,6 +20,7 @@ import functools
 import hashlib
 import json
 import pathlib
+import re
 import subprocess
 import sys
 
@@ -170,15 +171,15 @@ def main():
     parser.add_argument("--build", required=True)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--sample", type=int, help="that many mutants that are not listed as equivalent")
-    parser.add_argument("--only", help="mutants whose file or function contains this")
+    parser.add_argument("--only", help="mutants whose file and function match this")
     parser.add_argument("programs", nargs="+")
     asked = parser.parse_args()
     start(asked.programs, asked.build)
     compiler, equivalent = listed()
     everything = mutants(PROGRAMS.values())
-    chosen = sample(everything, equivalent, asked.sample) if asked.sample else everything
-    if asked.only:
-        chosen = {m: at for m, at in chosen.items() if asked.only in f"{m.file} {m.function}"}
+    chosen = {m: at for m, at in everything.items() if re.search(asked.only or "", f"{m.file} {m.function}")}
+    if asked.sample:
+        chosen = sample(chosen, equivalent, asked.sample)
     done = run(chosen, asked.programs, asked.build, asked.jobs)
     how = collections.Counter(how for by, how in done.values() if by)
     print(f"# {len(done)} mutants: {sum(how.values())} killed ({', '.join(f'{n} {what}' for what, n in how.most_common())}), {len(done) - sum(how.values())} survive")

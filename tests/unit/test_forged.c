@@ -6,6 +6,8 @@
 
 #include <float.h>
 #include <stdlib.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "base/bytes.h"
 #include "support/golden.h"
@@ -177,6 +179,59 @@ static void a_guide_to_arrivals_that_fall_by_a_rounding_is_refused(void **state)
     free(bytes);
 }
 
+/* 2^61 curves of 88 bytes take none, as far as 64 bits go. The table ends where the memory does: a read of the first curve would be noticed. */
+static void a_number_of_curves_whose_size_wraps_around_is_refused(void **state)
+{
+    (void)state;
+    size_t length, page = (size_t)sysconf(_SC_PAGESIZE);
+    unsigned char *bytes = golden_bytes(SQUEEZE, &length);
+    void *pages;
+    assert_int_equal(posix_memalign(&pages, page, 2 * page), 0);
+    unsigned char *end = (unsigned char *)pages + page;
+    assert_true(length <= page);
+    memcpy(end - length, bytes, length);
+    assert_int_equal(mprotect(end, page, PROT_NONE), 0);
+    bytes_put_u64(end - length + format_at_offset(FORMAT_CURVES) + FORMAT_FURTHER_AT_COUNT, UINT64_C(1) << 61);
+    assert_int_equal(open_sealed(end - length, length), TDSP_BAD_TABLE);
+    assert_int_equal(mprotect(end, page, PROT_READ | PROT_WRITE), 0);
+    free(pages);
+    free(bytes);
+}
+
+static void a_guide_of_nothing_has_the_scale_0(void **state)
+{
+    (void)state;
+    const double scales[] = {0.0, 1.0, -1.0, NAN};
+    for (size_t i = 0; i < 4; i++) {
+        size_t length;
+        unsigned char *bytes = golden_bytes(SQUEEZE, &length);
+        bytes_put_f64(bytes + format_at_offset(FORMAT_BY_DEPARTURE) + FORMAT_GUIDE_AT_SCALE, scales[i]);
+        assert_int_equal(open_sealed(bytes, length), i == 0 ? TDSP_OK : TDSP_BAD_TABLE);
+        free(bytes);
+    }
+}
+
+/* Three and five waypoints instead of four and four; everything else is put right. */
+static void an_odd_number_of_waypoints_is_refused_where_legs_have_two_each(void **state)
+{
+    (void)state;
+    size_t length;
+    unsigned char *bytes = golden_bytes(LOOSE, &length);
+    unsigned char *first = bytes + section_of(bytes, FORMAT_FIRST_WAYPOINT), *waypoint = bytes + section_of(bytes, FORMAT_WAYPOINTS);
+    const double times[] = {0, 1, 1, 1, 1, 1, 1, 1};
+    for (size_t i = 0; i < 8; i++) {
+        bytes_put_f64(waypoint + FORMAT_WAYPOINT_SIZE * i + FORMAT_WAYPOINT_AT_TIME, times[i]);
+        bytes_put_u32(waypoint + FORMAT_WAYPOINT_SIZE * i + FORMAT_WAYPOINT_AT_DISC, FORMAT_NONE);
+        bytes_put_u32(waypoint + FORMAT_WAYPOINT_SIZE * i + FORMAT_WAYPOINT_AT_ARC, FORMAT_NONE);
+    }
+    assert_int_equal(open_sealed(bytes, length), TDSP_OK);
+    bytes_put_u32(first + 4, 3);
+    bytes_put_u32(first + 8, 3);
+    bytes_put_u64(bytes + FORMAT_AT_LEGS, 3);
+    assert_int_equal(open_sealed(bytes, length), TDSP_BAD_TABLE);
+    free(bytes);
+}
+
 static void a_table_that_was_never_opened_has_no_rows_to_find(void **state)
 {
     (void)state;
@@ -303,6 +358,22 @@ static void bytes_behind_the_last_table_are_for_later_versions_only(void **state
     free(f.bytes);
 }
 
+/* Five bytes of names are padded with three zeros. */
+static void padding_in_a_matrix_is_zero(void **state)
+{
+    (void)state;
+    forged f = forge();
+    tdsp_matrix matrix;
+    uint64_t names = bytes_get_u64(f.bytes + MATRIX_AT_NAMES);
+    for (uint64_t i = 5; i < 8; i++) {
+        f.bytes[names + i] = 1;
+        assert_int_equal(open_matrix(&f, &matrix), TDSP_BAD_TABLE);
+        f.bytes[names + i] = 0;
+    }
+    assert_int_equal(open_matrix(&f, &matrix), TDSP_OK);
+    free(f.bytes);
+}
+
 static void names_that_change_after_opening_become_empty(void **state)
 {
     (void)state;
@@ -380,6 +451,10 @@ int main(void)
         cmocka_unit_test(a_guide_over_more_rows_than_it_can_number_is_refused),
         cmocka_unit_test(a_curve_that_turns_by_less_than_nothing_is_refused),
         cmocka_unit_test(a_guide_to_arrivals_that_fall_by_a_rounding_is_refused),
+        cmocka_unit_test(a_number_of_curves_whose_size_wraps_around_is_refused),
+        cmocka_unit_test(a_guide_of_nothing_has_the_scale_0),
+        cmocka_unit_test(an_odd_number_of_waypoints_is_refused_where_legs_have_two_each),
+        cmocka_unit_test(padding_in_a_matrix_is_zero),
         cmocka_unit_test(a_table_that_was_never_opened_has_no_rows_to_find),
         cmocka_unit_test(a_later_matrix_with_a_header_of_no_whole_words_or_longer_than_the_file_is_refused),
         cmocka_unit_test(sizes_of_a_matrix_that_overflow_are_refused),

@@ -16,8 +16,8 @@ extern "C" {
 
 /** Private: where a guide is in the bytes, and how to read it (docs/format.md, section 7). */
 typedef struct tdsp_guide {
-    const unsigned char *bases; /* its two parts; NULL: the table has none */
-    const unsigned char *counts;
+    uint64_t bases; /* offsets of its two parts; 0: the table has none */
+    uint64_t counts;
     uint64_t cells;
     double scale; /* cells per unit of time */
     double first; /* the time that cell 0 starts at, and the last row's */
@@ -52,7 +52,7 @@ typedef struct tdsp_table {
     uint64_t curves;
     uint64_t gap_count; /* of jumps */
     uint64_t gaps;
-    uint64_t reserved;
+    uint64_t last_word; /* the offset of the last 8 bytes */
 } tdsp_table;
 
 /**

@@ -24,11 +24,11 @@ static const uint32_t hash_crc32c_nibble[16] = {0x00000000u, 0x105ec76fu, 0x20bd
                                                 0x61c69362u, 0x7198540du, 0x82f63b78u, 0x92a8fc17u, 0xa24bb5a6u, 0xb21572c9u,
                                                 0xc38d26c4u, 0xd3d3e1abu, 0xe330a81au, 0xf36e6f75u};
 
-uint32_t hash_crc32c(uint32_t crc, const void *bytes, size_t length)
+uint32_t hash_crc32c(uint32_t crc, const void *bytes, size_t first, size_t end)
 {
     const unsigned char *p = bytes;
     uint32_t state = ~crc;
-    for (size_t i = 0; i < length; i++) {
+    for (size_t i = first; i < end; i++) {
         state ^= p[i];
         state = state >> 4 ^ hash_crc32c_nibble[state & 15];
         state = state >> 4 ^ hash_crc32c_nibble[state & 15];

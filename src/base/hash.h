@@ -18,7 +18,7 @@ uint64_t hash_fnv1a(uint64_t seed, const void *bytes, size_t length);
 /* Feeds 8 little-endian bytes; -0 counts as 0, so that equal numbers hash alike. */
 uint64_t hash_double(uint64_t seed, double value);
 
-/* CRC-32C of the bytes seen so far followed by these; start with 0. */
-uint32_t hash_crc32c(uint32_t crc, const void *bytes, size_t length);
+/* CRC-32C of the bytes seen so far followed by those from `first` to before `end`; start with 0. */
+uint32_t hash_crc32c(uint32_t crc, const void *bytes, size_t first, size_t end);
 
 #endif

@@ -176,9 +176,9 @@ static void write_header(const matrix_build *self, const matrix_layout *at, unsi
     bytes_put_u64(bytes + MATRIX_AT_NAMES, at->names);
     bytes_put_u64(bytes + MATRIX_AT_PAIRS, at->pairs);
     bytes_put_u64(bytes + MATRIX_AT_TABLES, at->tables);
-    bytes_put_u32(bytes + MATRIX_AT_BODY_CRC, hash_crc32c(0, bytes + MATRIX_HEADER_LENGTH, (size_t)at->length - MATRIX_HEADER_LENGTH));
-    uint32_t crc = hash_crc32c(0, bytes, MATRIX_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + MATRIX_AFTER_HEADER_CRC, MATRIX_HEADER_LENGTH - MATRIX_AFTER_HEADER_CRC);
+    bytes_put_u32(bytes + MATRIX_AT_BODY_CRC, hash_crc32c(0, bytes, MATRIX_HEADER_LENGTH, (size_t)at->length));
+    uint32_t crc = hash_crc32c(0, bytes, 0, MATRIX_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes, MATRIX_AFTER_HEADER_CRC, MATRIX_HEADER_LENGTH);
     bytes_put_u32(bytes + MATRIX_AT_HEADER_CRC, crc);
 }
 

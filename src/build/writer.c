@@ -376,9 +376,9 @@ static void writer_put_further(const writer *w, const writer_layout *layout, uns
 /* The header's checksum covers the body's, so the body's is first. */
 static void writer_seal(unsigned char *bytes, size_t header, size_t length)
 {
-    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes + header, length - header));
-    uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, header - FORMAT_AFTER_HEADER_CRC);
+    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes, header, length));
+    uint32_t crc = hash_crc32c(0, bytes, 0, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes, FORMAT_AFTER_HEADER_CRC, header);
     bytes_put_u32(bytes + FORMAT_AT_HEADER_CRC, crc);
 }
 

@@ -122,7 +122,7 @@ tdsp_status tdsp_path_position(const tdsp_leg *legs, size_t count, double time, 
     size_t low = 0;
     size_t high = count;
     while (high - low > 1) {
-        size_t middle = low + (high - low) / 2;
+        size_t middle = (low + high) / 2;
         if (legs[middle].start_time <= time)
             low = middle;
         else

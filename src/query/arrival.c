@@ -18,22 +18,31 @@ tdsp_status tdsp_table_find(const tdsp_table *table, double departure, uint64_t 
     if (!table->by_departure.bases) return locate_rest(table, 0, 0, departure, row);
     uint64_t cell = locate_cell(table, departure);
     uint64_t start = locate_start(table, cell);
-    if (!locate_is_at_start(table, start, departure)) return locate_rest(table, cell, start, departure, row);
+    if (start >= table->rows || !locate_answers(table, start, departure)) return locate_rest(table, cell, start, departure, row);
     *row = start;
     return TDSP_OK;
 }
 
-tdsp_status tdsp_table_arrival(const tdsp_table *table, double departure, double *lower, double *upper)
+static inline tdsp_status arrival_bounds(const tdsp_table *table, uint64_t row, double departure, double *lower, double *upper)
 {
-    uint64_t row;
-    if (!table) return TDSP_INVALID_ARGUMENT;
-    if (locate_is_inside(table, departure))
-        row = locate_row(table, departure);
-    else {
-        tdsp_status status = arrival_find_outside(table, departure, &row);
-        if (status != TDSP_OK) return status;
-    }
     if (lower) *lower = arrival_lower(table, row, departure);
     if (upper) *upper = arrival_upper(table, row, departure);
     return TDSP_OK;
+}
+
+/* Apart, and called last, so that the likely way has nothing to save and restore. */
+static tdsp_status arrival_search(const tdsp_table *table, double departure, double *lower, double *upper)
+{
+    uint64_t row;
+    tdsp_status status = tdsp_table_find(table, departure, &row);
+    return status == TDSP_OK ? arrival_bounds(table, row, departure, lower, upper) : status;
+}
+
+tdsp_status tdsp_table_arrival(const tdsp_table *table, double departure, double *lower, double *upper)
+{
+    if (!table) return TDSP_INVALID_ARGUMENT;
+    if (!locate_is_inside(table, departure) || !table->by_departure.bases) return arrival_search(table, departure, lower, upper);
+    uint64_t start = locate_start(table, locate_cell(table, departure));
+    if (start >= table->rows || !locate_answers(table, start, departure)) return arrival_search(table, departure, lower, upper);
+    return arrival_bounds(table, start, departure, lower, upper);
 }

@@ -11,14 +11,18 @@
 #include "query/departure.h"
 #include "query/locate.h"
 
-#if defined(__GNUC__)
-#define BATCH_PREFETCH(p) __builtin_prefetch(p)
+/* It reads nothing, whatever the place, so there is nothing to prove of it. */
+#if defined(__GNUC__) && !defined(__FRAMAC__)
+#define BATCH_PREFETCH(bytes, at) __builtin_prefetch((const void *)((uintptr_t)(bytes) + (uintptr_t)(at)))
 #else
-#define BATCH_PREFETCH(p) ((void)(p))
+#define BATCH_PREFETCH(bytes, at) ((void)(bytes), (void)(at))
 #endif
 
 #define BATCH_GROUP 16u
+/* The proof has a smaller table take the same way. */
+#if !defined(BATCH_MIN_ROWS)
 #define BATCH_MIN_ROWS 2048u
+#endif
 
 /* A group of times: for each its cell and where that starts. Of one that is in no cell it is BATCH_NONE. */
 typedef struct batch_group {
@@ -26,31 +30,34 @@ typedef struct batch_group {
     uint64_t start[BATCH_GROUP];
 } batch_group;
 
-#define BATCH_NONE UINT64_MAX
+#define BATCH_NONE GUIDE_NOWHERE
 
-static inline void batch_find_cells(const tdsp_guide *guide, double above, const double *times, size_t count, batch_group *group)
+static inline void batch_find_cells(const tdsp_table *table, const tdsp_guide *guide, double above, const double *times, size_t first,
+                                    size_t end, batch_group *group)
 {
-    for (size_t i = 0; i < count; i++) {
-        int inside = times[i] >= guide->first && times[i] > above && times[i] <= guide->last;
-        group->cell[i] = inside ? guide_cell(guide->first, guide->scale, times[i]) : BATCH_NONE;
-        if (!inside) continue;
-        BATCH_PREFETCH(guide_base_at(guide, group->cell[i]));
-        BATCH_PREFETCH(guide->counts + group->cell[i]);
+    const unsigned char *bytes = table->bytes;
+    const tdsp_guide read = *guide;
+    for (size_t i = first; i < end; i++) {
+        int inside = times[i] >= read.first && times[i] > above && times[i] <= read.last;
+        uint64_t cell = inside ? guide_cell(read.first, read.scale, times[i]) : BATCH_NONE;
+        group->cell[i % BATCH_GROUP] = cell;
+        BATCH_PREFETCH(bytes, guide_base_at(&read, cell));
+        BATCH_PREFETCH(bytes, guide_count_at(&read, cell));
     }
 }
 
 /* `travel`: the travel times will be wanted too. */
-static inline void batch_find_starts(const tdsp_table *table, const tdsp_guide *guide, int travel, size_t count,
+static inline void batch_find_starts(const tdsp_table *table, const tdsp_guide *guide, int travel, size_t first, size_t end,
                                      batch_group *group)
 {
-    for (size_t i = 0; i < count; i++) {
-        if (group->cell[i] == BATCH_NONE) continue;
-        uint64_t start = guide_start(guide, group->cell[i]);
-        uint64_t row = start < table->rows ? start : 0;
-        group->start[i] = start;
-        BATCH_PREFETCH(table->bytes + table->departures + 8 * row);
-        if (travel) BATCH_PREFETCH(table->bytes + table->left + 8 * row);
-        if (travel) BATCH_PREFETCH(table->bytes + table->right + 8 * row);
+    const tdsp_table read = *table;
+    for (size_t i = first; i < end; i++) {
+        uint64_t start = guide_start(&read, guide, group->cell[i % BATCH_GROUP]);
+        uint64_t row = start < read.rows ? start : 0;
+        group->start[i % BATCH_GROUP] = start;
+        BATCH_PREFETCH(read.bytes, read.departures + 8 * row);
+        if (travel) BATCH_PREFETCH(read.bytes, read.left + 8 * row);
+        if (travel) BATCH_PREFETCH(read.bytes, read.right + 8 * row);
     }
 }
 
@@ -59,22 +66,24 @@ static int batch_pays(const tdsp_table *table, const tdsp_guide *guide)
     return guide->bases && table->rows >= BATCH_MIN_ROWS;
 }
 
-static size_t batch_size(size_t left)
+static size_t batch_end(size_t first, size_t count)
 {
-    return left < BATCH_GROUP ? left : BATCH_GROUP;
+    size_t end = first + BATCH_GROUP;
+    return end < count ? end : count;
 }
 
 /* Departure 0 is answered by the header: only what is above it is in a cell. */
-static void batch_prepare_departures(const tdsp_table *table, int travel, const double *times, size_t count, batch_group *group)
+static void batch_prepare_departures(const tdsp_table *table, int travel, const double *times, size_t first, size_t end,
+                                     batch_group *group)
 {
-    batch_find_cells(&table->by_departure, 0, times, count, group);
-    batch_find_starts(table, &table->by_departure, travel, count, group);
+    batch_find_cells(table, &table->by_departure, 0, times, first, end, group);
+    batch_find_starts(table, &table->by_departure, travel, first, end, group);
 }
 
-static void batch_prepare_arrivals(const tdsp_table *table, const double *times, size_t count, batch_group *group)
+static void batch_prepare_arrivals(const tdsp_table *table, const double *times, size_t first, size_t end, batch_group *group)
 {
-    batch_find_cells(&table->by_arrival, -INFINITY, times, count, group);
-    batch_find_starts(table, &table->by_arrival, 1, count, group);
+    batch_find_cells(table, &table->by_arrival, -INFINITY, times, first, end, group);
+    batch_find_starts(table, &table->by_arrival, 1, first, end, group);
 }
 
 /* The row of a departure inside; `group` is NULL where there are none. */
@@ -86,12 +95,12 @@ static inline uint64_t batch_row(const tdsp_table *table, const batch_group *gro
 tdsp_status tdsp_table_rows(const tdsp_table *table, const double *departures, size_t count, uint64_t *rows,
                             tdsp_status *statuses)
 {
-    batch_group group;
+    batch_group group = {{0}, {0}};
     if (!table || !table->bytes || !departures) return TDSP_INVALID_ARGUMENT;
     int grouped = batch_pays(table, &table->by_departure);
     for (size_t i = 0; i < count; i++) {
         size_t at = i % BATCH_GROUP;
-        if (grouped && at == 0) batch_prepare_departures(table, 0, departures + i, batch_size(count - i), &group);
+        if (grouped && at == 0) batch_prepare_departures(table, 0, departures, i, batch_end(i, count), &group);
         uint64_t row = table->rows;
         tdsp_status status = TDSP_OK;
         if (locate_is_inside(table, departures[i]))
@@ -117,12 +126,12 @@ static inline tdsp_status batch_arrival(const tdsp_table *table, const batch_gro
 tdsp_status tdsp_table_arrivals(const tdsp_table *table, const double *departures, size_t count, double *lower, double *upper,
                                 tdsp_status *statuses)
 {
-    batch_group group;
+    batch_group group = {{0}, {0}};
     if (!table || !table->bytes || !departures) return TDSP_INVALID_ARGUMENT;
     int grouped = batch_pays(table, &table->by_departure);
     for (size_t i = 0; i < count; i++) {
         size_t at = i % BATCH_GROUP;
-        if (grouped && at == 0) batch_prepare_departures(table, 1, departures + i, batch_size(count - i), &group);
+        if (grouped && at == 0) batch_prepare_departures(table, 1, departures, i, batch_end(i, count), &group);
         double low = INFINITY;
         double high = INFINITY;
         tdsp_status status = batch_arrival(table, grouped ? &group : NULL, at, departures[i], &low, &high);
@@ -143,12 +152,12 @@ static inline tdsp_status batch_departure(const tdsp_table *table, const batch_g
 tdsp_status tdsp_table_departures(const tdsp_table *table, const double *arrivals, size_t count, double *departures,
                                   double *departures_upper, tdsp_status *statuses)
 {
-    batch_group group;
+    batch_group group = {{0}, {0}};
     if (!table || !table->bytes || !arrivals) return TDSP_INVALID_ARGUMENT;
     int grouped = batch_pays(table, &table->by_arrival);
     for (size_t i = 0; i < count; i++) {
         size_t at = i % BATCH_GROUP;
-        if (grouped && at == 0) batch_prepare_arrivals(table, arrivals + i, batch_size(count - i), &group);
+        if (grouped && at == 0) batch_prepare_arrivals(table, arrivals, i, batch_end(i, count), &group);
         double low = -INFINITY;
         double high = -INFINITY;
         tdsp_status status = batch_departure(table, grouped ? &group : NULL, at, arrivals[i], &low, &high);

@@ -42,14 +42,13 @@ static int departure_may_follow(const tdsp_table *table, uint64_t row, double ar
  */
 static uint64_t departure_halving(const tdsp_table *table, uint64_t first, uint64_t end, double arrival)
 {
-    uint64_t count = end - first;
-    while (count > 0) {
-        uint64_t half = (count + 1) / 2;
-        uint64_t before = guide_arrival(table, first + half - 1) < arrival;
-        first += half & (0 - before);
-        count -= half;
+    while (first < end) {
+        uint64_t middle = (first + end) / 2;
+        int before = guide_arrival(table, middle) < arrival;
+        first = before ? middle + 1 : first;
+        end = before ? end : middle;
     }
-    return first;
+    return end;
 }
 
 #define DEPARTURE_STEPS 8
@@ -57,7 +56,7 @@ static uint64_t departure_halving(const tdsp_table *table, uint64_t first, uint6
 /* From the start of the cell: a few rows one by one, the rest halved. */
 static uint64_t departure_in_cell(const tdsp_table *table, uint64_t cell, uint64_t start, double arrival)
 {
-    uint64_t end = guide_end(&table->by_arrival, cell);
+    uint64_t end = guide_end(table, &table->by_arrival, cell);
     if (end > table->rows) end = table->rows;
     uint64_t near = end > DEPARTURE_STEPS && start < end - DEPARTURE_STEPS ? start + DEPARTURE_STEPS : end;
     for (uint64_t row = start; row < near; row++) {
@@ -74,7 +73,7 @@ static uint64_t departure_count_rounded(const tdsp_table *table, double arrival)
     if (!(arrival >= guide->first)) return 0;
     if (!(arrival <= guide->last)) return table->rows;
     uint64_t cell = guide_cell(guide->first, guide->scale, arrival);
-    return departure_in_cell(table, cell, guide_start(guide, cell), arrival);
+    return departure_in_cell(table, cell, guide_start(table, guide, cell), arrival);
 }
 
 /* The first row in [first, end] that is not safe; the rows before `first` are. */
@@ -82,13 +81,13 @@ static uint64_t departure_count_ties(const tdsp_table *table, uint64_t first, do
 {
     uint64_t end = table->rows;
     while (first < end) {
-        uint64_t middle = first + (end - first) / 2;
+        uint64_t middle = (first + end) / 2;
         if (departure_is_safe(table, middle, arrival))
             first = middle + 1;
         else
             end = middle;
     }
-    return first;
+    return end;
 }
 
 static uint64_t departure_count_safe(const tdsp_table *table, uint64_t count, double arrival)
@@ -105,25 +104,27 @@ static uint64_t departure_count_open(const tdsp_table *table, uint64_t safe, dou
 {
     uint64_t step = 1, low = safe, high = safe;
     while (low > 0 && !departure_may_follow(table, low - 1, arrival)) {
+        uint64_t next = low - step; /* below 0 it is great */
         high = low - 1;
-        low = low > step ? low - step : 0;
+        low = next < low ? next : 0;
         step *= 2;
     }
     if (high == safe) {
         while (high < table->rows && departure_may_follow(table, high, arrival)) {
+            uint64_t next = high + step;
             low = high + 1;
-            high = table->rows - high > step ? high + step : table->rows;
+            high = next < table->rows ? next : table->rows;
             step *= 2;
         }
     }
     while (low < high) {
-        uint64_t middle = low + (high - low) / 2;
+        uint64_t middle = (low + high) / 2;
         if (departure_may_follow(table, middle, arrival))
             low = middle + 1;
         else
             high = middle;
     }
-    return low;
+    return high;
 }
 
 /* The largest t that is safe, given that the rows before `safe` are and that there is one. */

@@ -9,13 +9,13 @@ static uint64_t jump_first_gap(const tdsp_table *table, uint64_t row)
 {
     uint64_t low = 0, high = table->gap_count;
     while (low < high) {
-        uint64_t middle = low + (high - low) / 2;
+        uint64_t middle = (low + high) / 2;
         if (table_gap_row(table, middle) < row)
             low = middle + 1;
         else
             high = middle;
     }
-    return low;
+    return high;
 }
 
 static tdsp_gap jump_gap(const tdsp_table *table, uint64_t row)

@@ -7,14 +7,13 @@
  */
 static uint64_t locate_halving(const tdsp_table *table, uint64_t first, uint64_t end, uint64_t departure)
 {
-    uint64_t count = end - first;
-    while (count > 0) {
-        uint64_t half = (count + 1) / 2;
-        uint64_t before = table_departure_bits(table, first + half - 1) < departure;
-        first += half & (0 - before);
-        count -= half;
+    while (first < end) {
+        uint64_t middle = (first + end) / 2;
+        int before = table_departure_bits(table, middle) < departure;
+        first = before ? middle + 1 : first;
+        end = before ? end : middle;
     }
-    return first;
+    return end;
 }
 
 /* A few rows one by one, the rest of the cell halved. */
@@ -26,7 +25,7 @@ static uint64_t locate_in_cell(const tdsp_table *table, uint64_t cell, uint64_t 
     for (; row < table->rows && row < start + LOCATE_STEPS; row++) {
         if (table_departure_bits(table, row) >= departure) return row;
     }
-    uint64_t end = guide_end(&table->by_departure, cell);
+    uint64_t end = guide_end(table, &table->by_departure, cell);
     if (end > table->rows - 1) end = table->rows - 1;
     return row < end ? locate_halving(table, row, end, departure) : end;
 }

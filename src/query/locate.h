@@ -35,13 +35,13 @@ static inline uint64_t locate_cell(const tdsp_table *table, double departure)
 
 static inline uint64_t locate_start(const tdsp_table *table, uint64_t cell)
 {
-    return guide_start(&table->by_departure, cell);
+    return guide_start(table, &table->by_departure, cell);
 }
 
-/* Is the row where the cell starts the one that answers a departure in it? */
-static inline int locate_is_at_start(const tdsp_table *table, uint64_t start, double departure)
+/* The row where the cell starts is nearly always the one that answers a departure in it: does it, where there is one? */
+static inline int locate_answers(const tdsp_table *table, uint64_t row, double departure)
 {
-    return start < table->rows && table_departure_bits(table, start) >= locate_bits(departure);
+    return table_departure_bits(table, row) >= locate_bits(departure);
 }
 
 /*
@@ -54,7 +54,7 @@ tdsp_status locate_rest(const tdsp_table *table, uint64_t cell, uint64_t start, 
 static inline uint64_t locate_from(const tdsp_table *table, uint64_t cell, uint64_t start, double departure)
 {
     uint64_t row;
-    if (locate_is_at_start(table, start, departure)) return start;
+    if (start < table->rows && locate_answers(table, start, departure)) return start;
     locate_rest(table, cell, start, departure, &row);
     return row;
 }

@@ -9,12 +9,11 @@
 
 typedef double check_key(const tdsp_table *table, uint64_t row);
 
-/* Cells are numbered by whole numbers that a double holds exactly, and the last time is in the last cell. */
+/* Cells are numbered by whole numbers that a double holds exactly, and no time is after the last. */
 static int check_cells(const tdsp_guide *guide)
 {
     double end = (guide->last - guide->first) * guide->scale;
-    return guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX &&
-           guide_cell(guide->first, guide->scale, guide->last) + 1 == guide->cells;
+    return guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX && guide_cell(guide->first, guide->scale, guide->last) < guide->cells;
 }
 
 static inline int check_order(const tdsp_table *table, check_key *key)
@@ -30,31 +29,36 @@ static inline uint64_t check_row_cell(const tdsp_table *table, const tdsp_guide 
     return guide_cell(guide->first, guide->scale, key(table, row));
 }
 
-/* The cells of the block from `cell` on; *start, a row at or before its first cell's start, becomes the last cell's start. */
-static inline int check_block(const tdsp_table *table, const tdsp_guide *guide, check_key *key, uint64_t cell, uint64_t *start)
+/*
+ * Where the last cell starts of the block from `cell` on, given a row at or before its first cell's start; no row when an entry is wrong, or when the
+ * cells go on behind the last row's.
+ */
+static inline uint64_t check_block(const tdsp_table *table, const tdsp_guide *guide, check_key *key, uint64_t cell, uint64_t row)
 {
     uint64_t end = cell + FORMAT_GUIDE_BLOCK < guide->cells ? cell + FORMAT_GUIDE_BLOCK : guide->cells;
-    uint64_t base = bytes_get_u32(guide_base_at(guide, cell));
-    uint64_t row_cell = check_row_cell(table, guide, key, *start);
+    uint64_t base = bytes_get_u32(table_at(table, guide_base_at(guide, cell), 4));
+    uint64_t row_cell = check_row_cell(table, guide, key, row);
     for (uint64_t k = cell; k < end; k++) {
-        for (; row_cell < k; row_cell = check_row_cell(table, guide, key, *start)) ++*start;
-        if (k == cell && *start != base) return 0;
-        uint64_t count = *start - base;
-        if (guide->counts[k] != (count < FORMAT_GUIDE_FULL ? count : FORMAT_GUIDE_FULL)) return 0;
+        for (; row_cell < k; row_cell = check_row_cell(table, guide, key, row)) {
+            if (++row >= table->rows) return table->rows;
+        }
+        if (k == cell && row != base) return table->rows;
+        uint64_t count = row - base;
+        if (*table_at(table, guide_count_at(guide, k), 1) != (count < FORMAT_GUIDE_FULL ? count : FORMAT_GUIDE_FULL)) return table->rows;
     }
-    return 1;
+    return row;
 }
 
-/* The last row is in the last cell, so that no row after it is asked for. */
 static inline int check_guide(const tdsp_table *table, const tdsp_guide *guide, check_key *key)
 {
-    uint64_t start = 0;
+    uint64_t row = 0;
     if (guide->cells == 0) return guide->scale == 0;
     if (table->rows > FORMAT_GUIDE_MAX || !check_order(table, key) || !check_cells(guide)) return 0;
     for (uint64_t cell = 0; cell < guide->cells; cell += FORMAT_GUIDE_BLOCK) {
-        if (!check_block(table, guide, key, cell, &start)) return 0;
+        row = check_block(table, guide, key, cell, row);
+        if (row >= table->rows) return 0;
     }
-    return bytes_get_u32(guide_base_at(guide, guide->cells - 1) + 4) == table->rows;
+    return bytes_get_u32(table_at(table, guide_base_at(guide, guide->cells - 1) + 4, 4)) == table->rows;
 }
 
 /* Whole numbers compare as departures do only where the first is +0. */

@@ -6,14 +6,9 @@
 #include "table/check.h"
 #include "table/read.h"
 
-static const unsigned char *check_waypoint(const tdsp_table *table, uint64_t waypoint)
-{
-    return table->bytes + table->waypoints + FORMAT_WAYPOINT_SIZE * waypoint;
-}
-
 static double check_time(const tdsp_table *table, uint64_t waypoint)
 {
-    return bytes_get_f64(check_waypoint(table, waypoint) + FORMAT_WAYPOINT_AT_TIME);
+    return bytes_get_f64(table_waypoint(table, waypoint) + FORMAT_WAYPOINT_AT_TIME);
 }
 
 static int check_finite(const unsigned char *p, size_t count)
@@ -27,7 +22,7 @@ static int check_finite(const unsigned char *p, size_t count)
 static int check_arcs(const tdsp_table *table)
 {
     for (uint64_t i = 0; i < table->arc_count; i++) {
-        const unsigned char *arc = table->bytes + table->arcs + FORMAT_ARC_SIZE * i;
+        const unsigned char *arc = table_arc(table, i);
         if (!check_finite(arc, FORMAT_ARC_SIZE / 8)) return 0;
         if (!(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_FROM) > 0) || !(bytes_get_f64(arc + FORMAT_ARC_AT_RADIUS_TO) > 0))
             return 0;
@@ -72,7 +67,7 @@ static int check_path(const tdsp_table *table, uint64_t row, uint64_t first, uin
     if (first == end) return 1;
     if (end - first < 2 || (table->joint == 2 && (end - first) % 2 != 0)) return 0;
     for (uint64_t i = first; i < end; i++) {
-        const unsigned char *waypoint = check_waypoint(table, i);
+        const unsigned char *waypoint = table_waypoint(table, i);
         int inside = table->joint == 1 || (i - first) % 2 == 0;
         int starts_leg = inside && i + 1 < end;
         if (!check_finite(waypoint, 3) || !check_waypoint_kind(table, waypoint, starts_leg)) return 0;
@@ -91,7 +86,7 @@ int check_paths(const tdsp_table *table)
     uint64_t end = 0;
     if (!check_arcs(table) || !check_curves(table)) return 0;
     for (uint64_t row = 0; row < table->rows && table->waypoint_count > 0; row++) {
-        const unsigned char *p = table->bytes + table->first_waypoint + 4 * row;
+        const unsigned char *p = table_waypoint_bounds(table, row);
         if (bytes_get_u32(p) != end || bytes_get_u32(p + 4) < end || bytes_get_u32(p + 4) > table->waypoint_count) return 0;
         if (!check_path(table, row, end, bytes_get_u32(p + 4)) || !check_legs(table, row)) return 0;
         end = bytes_get_u32(p + 4);
@@ -104,7 +99,7 @@ int check_opaque(const tdsp_table *table)
 {
     uint64_t end = 0;
     for (uint64_t row = 0; row < table->rows && table->opaque_length > 0; row++) {
-        const unsigned char *p = table->bytes + table->first_byte + 8 * row;
+        const unsigned char *p = table_opaque_bounds(table, row);
         uint64_t next = bytes_get_u64(p + 8);
         if (bytes_get_u64(p) != end || next < end || next > table->opaque_length || next - end > FORMAT_MAX_ROW_BYTES) return 0;
         end = next;

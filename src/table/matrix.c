@@ -28,10 +28,10 @@ static tdsp_status matrix_lengths(const unsigned char *bytes, size_t length)
 static tdsp_status matrix_checksums(const unsigned char *bytes, size_t length)
 {
     size_t header = bytes_get_u32(bytes + MATRIX_AT_HEADER_LENGTH);
-    uint32_t crc = hash_crc32c(0, bytes, MATRIX_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + MATRIX_AFTER_HEADER_CRC, header - MATRIX_AFTER_HEADER_CRC);
+    uint32_t crc = hash_crc32c(0, bytes, 0, MATRIX_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes, MATRIX_AFTER_HEADER_CRC, header);
     if (crc != bytes_get_u32(bytes + MATRIX_AT_HEADER_CRC)) return TDSP_BAD_CHECKSUM;
-    crc = hash_crc32c(0, bytes + header, length - header);
+    crc = hash_crc32c(0, bytes, header, length);
     return crc == bytes_get_u32(bytes + MATRIX_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
 }
 

@@ -5,7 +5,6 @@
  */
 #include "base/bytes.h"
 #include "base/hash.h"
-#include "base/sizes.h"
 #include "table/check.h"
 #include "table/guide.h"
 #include "tdsp/table.h"
@@ -15,50 +14,53 @@ static unsigned open_minor(const unsigned char *bytes)
     return bytes_get_u16(bytes + FORMAT_AT_MINOR);
 }
 
-static int open_header_length_is_good(unsigned minor, uint32_t length)
-{
-    return minor <= FORMAT_MINOR ? length == format_header_length(minor) : length >= format_header_length(minor);
-}
-
-static tdsp_status open_lengths(const unsigned char *bytes, size_t length)
+/* *header becomes the header's length, read once: what was checked is what is used, whatever becomes of the bytes. */
+static tdsp_status open_lengths(const unsigned char *bytes, size_t length, uint32_t *header)
 {
     if (length < FORMAT_MAGIC_LENGTH || memcmp(bytes, FORMAT_MAGIC, FORMAT_MAGIC_LENGTH) != 0) return TDSP_BAD_MAGIC;
     if (length < FORMAT_AT_HEADER_LENGTH) return TDSP_BAD_LENGTH;
     if (bytes_get_u16(bytes + FORMAT_AT_MAJOR) != FORMAT_MAJOR) return TDSP_BAD_VERSION;
     if (length < FORMAT_HEADER_LENGTH || bytes_get_u64(bytes + FORMAT_AT_LENGTH) != length) return TDSP_BAD_LENGTH;
-    uint32_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
-    if (!open_header_length_is_good(open_minor(bytes), header)) return TDSP_BAD_TABLE;
-    return header % 8 == 0 && header <= length ? TDSP_OK : TDSP_BAD_TABLE;
+    *header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
+    uint32_t least = (uint32_t)format_header_length(open_minor(bytes));
+    if (*header < least || (open_minor(bytes) <= FORMAT_MINOR && *header > least)) return TDSP_BAD_TABLE;
+    return *header % 8 == 0 && *header <= length ? TDSP_OK : TDSP_BAD_TABLE;
 }
 
-static tdsp_status open_checksums(const unsigned char *bytes, size_t length)
+static tdsp_status open_checksums(const unsigned char *bytes, size_t length, uint32_t header)
 {
-    size_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
-    uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, header - FORMAT_AFTER_HEADER_CRC);
+    uint32_t crc = hash_crc32c(0, bytes, 0, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes, FORMAT_AFTER_HEADER_CRC, header);
     if (crc != bytes_get_u32(bytes + FORMAT_AT_HEADER_CRC)) return TDSP_BAD_CHECKSUM;
-    crc = hash_crc32c(0, bytes + header, length - header);
+    crc = hash_crc32c(0, bytes, header, length);
     return crc == bytes_get_u32(bytes + FORMAT_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
 }
 
-/* Sizes of the sections; the optional ones are empty when there is nothing to index. 0 on overflow. */
-static int open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2])
+/* Have the bytes room for so many items, wherever they are? Only then is what they take a size. */
+static int open_counts_are_good(const tdsp_table *table)
 {
-    uint64_t bounds;
-    if (table->rows == 0 || !sizes_add(table->rows, 1, &bounds)) return 0;
-    if (!sizes_multiply(table->rows, 8, &sizes[FORMAT_DEPARTURES])) return 0;
-    sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = sizes[FORMAT_DEPARTURES];
-    sizes[FORMAT_FIRST_WAYPOINT] = table->waypoint_count > 0 ? 4 * bounds : 0; /* fits, since 8 * rows does */
-    if (!sizes_multiply(table->waypoint_count, FORMAT_WAYPOINT_SIZE, &sizes[FORMAT_WAYPOINTS])) return 0;
-    if (!sizes_multiply(table->arc_count, FORMAT_ARC_SIZE, &sizes[FORMAT_ARCS])) return 0;
-    if (!sizes_multiply(table->opaque_length > 0 ? bounds : 0, 8, &sizes[FORMAT_FIRST_BYTE])) return 0;
-    sizes[FORMAT_OPAQUE] = table->opaque_length;
+    uint64_t length = table->length;
     if (table->by_departure.cells > FORMAT_GUIDE_MAX || table->by_arrival.cells > FORMAT_GUIDE_MAX) return 0;
+    if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
+    return table->rows > 0 && table->rows <= length / (3 * 8) && table->waypoint_count <= length / FORMAT_WAYPOINT_SIZE &&
+           table->arc_count <= length / FORMAT_ARC_SIZE && table->opaque_length <= length && table->by_departure.cells <= length &&
+           table->by_arrival.cells <= length && table->curve_count <= length / FORMAT_CURVE_SIZE &&
+           table->gap_count <= length / FORMAT_GAP_SIZE;
+}
+
+/* Sizes of the sections; the optional ones are empty when there is nothing to index. */
+static void open_sizes(const tdsp_table *table, uint64_t sizes[FORMAT_SECTIONS_2])
+{
+    sizes[FORMAT_DEPARTURES] = sizes[FORMAT_LEFT] = sizes[FORMAT_RIGHT] = 8 * table->rows;
+    sizes[FORMAT_FIRST_WAYPOINT] = table->waypoint_count > 0 ? 4 * (table->rows + 1) : 0;
+    sizes[FORMAT_WAYPOINTS] = FORMAT_WAYPOINT_SIZE * table->waypoint_count;
+    sizes[FORMAT_ARCS] = FORMAT_ARC_SIZE * table->arc_count;
+    sizes[FORMAT_FIRST_BYTE] = table->opaque_length > 0 ? 8 * (table->rows + 1) : 0;
+    sizes[FORMAT_OPAQUE] = table->opaque_length;
     sizes[FORMAT_BY_DEPARTURE] = guide_size(table->by_departure.cells);
     sizes[FORMAT_BY_ARRIVAL] = guide_size(table->by_arrival.cells);
-    if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
-    sizes[FORMAT_CURVES] = table->curve_count * FORMAT_CURVE_SIZE;
-    return sizes_multiply(table->gap_count, FORMAT_GAP_SIZE, &sizes[FORMAT_GAPS]);
+    sizes[FORMAT_CURVES] = FORMAT_CURVE_SIZE * table->curve_count;
+    sizes[FORMAT_GAPS] = FORMAT_GAP_SIZE * table->gap_count;
 }
 
 static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint64_t to)
@@ -70,67 +72,77 @@ static int open_padding_is_zero(const unsigned char *bytes, uint64_t from, uint6
 }
 
 /*
- * The sections one after the other, without gaps in the versions known here; a later minor version may put something between or
- * behind them. On success offsets holds where each starts, and all of them end inside the bytes.
+ * One section, from *cursor on in the versions known here; a later minor version may put something between or behind the sections. On
+ * success *offset is where it starts, and *cursor the next multiple of 8 behind it, which is inside the bytes.
  */
-static int open_sections(const tdsp_table *table, uint64_t offsets[FORMAT_SECTIONS_2])
+static int open_section(const tdsp_table *table, size_t section, uint64_t size, uint64_t *cursor, uint64_t *offset)
+{
+    uint64_t length = table->length;
+    uint64_t at = bytes_get_u64(table_at(table, format_at_offset(section), 8));
+    if (at < *cursor || at % 8 != 0) return 0;
+    if (open_minor(table->bytes) <= FORMAT_MINOR && at > *cursor) return 0;
+    if (size > length || at > length - size) return 0;
+    uint64_t next = (at + size + 7) / 8 * 8;
+    if (next > length || !open_padding_is_zero(table->bytes, at + size, next)) return 0;
+    *offset = at;
+    *cursor = next;
+    return 1;
+}
+
+static int open_sections(const tdsp_table *table, uint32_t header, uint64_t offsets[FORMAT_SECTIONS_2])
 {
     uint64_t sizes[FORMAT_SECTIONS_2];
-    uint64_t cursor = bytes_get_u32(table->bytes + FORMAT_AT_HEADER_LENGTH);
+    uint64_t cursor = header;
     unsigned minor = open_minor(table->bytes);
-    int exact = minor <= FORMAT_MINOR;
     size_t sections = format_sections(minor);
-    if (!open_sizes(table, sizes)) return 0;
+    if (!open_counts_are_good(table)) return 0;
+    open_sizes(table, sizes);
     for (size_t i = 0; i < sections; i++) {
-        uint64_t end;
-        offsets[i] = bytes_get_u64(table->bytes + format_at_offset(i));
-        if (exact ? offsets[i] != cursor : offsets[i] < cursor || offsets[i] % 8 != 0) return 0;
-        if (!sizes_add(offsets[i], sizes[i], &end) || !sizes_align8(end, &cursor) || cursor > table->length) return 0;
-        if (!open_padding_is_zero(table->bytes, end, cursor)) return 0;
+        if (!open_section(table, i, sizes[i], &cursor, &offsets[i])) return 0;
     }
-    return !exact || cursor == table->length;
+    return minor > FORMAT_MINOR || cursor == table->length;
 }
 
 /* The times a guide spans are put in when the rows are known to be good. */
-static tdsp_guide open_guide(const unsigned char *bytes, size_t section)
+static tdsp_guide open_guide(const tdsp_table *table, size_t section)
 {
     tdsp_guide guide = {0};
-    if (open_minor(bytes) == 0) return guide;
-    const unsigned char *p = bytes + format_at_offset(section);
+    if (open_minor(table->bytes) == 0) return guide;
+    const unsigned char *p = table_at(table, format_at_offset(section), FORMAT_GUIDE_SIZE);
     guide.cells = bytes_get_u64(p + FORMAT_GUIDE_AT_CELLS);
     guide.scale = bytes_get_f64(p + FORMAT_GUIDE_AT_SCALE);
     return guide;
 }
 
 /* How many items a section has that came with version 1.2. */
-static uint64_t open_count(const unsigned char *bytes, size_t section)
+static uint64_t open_count(const tdsp_table *table, size_t section)
 {
-    return section < format_sections(open_minor(bytes))
-               ? bytes_get_u64(bytes + format_at_offset(section) + FORMAT_FURTHER_AT_COUNT)
-               : 0;
+    if (section >= format_sections(open_minor(table->bytes))) return 0;
+    return bytes_get_u64(table_at(table, format_at_offset(section), FORMAT_FURTHER_SIZE) + FORMAT_FURTHER_AT_COUNT);
 }
 
 static void open_view(tdsp_table *table, const unsigned char *bytes, size_t length)
 {
     table->bytes = bytes;
     table->length = length;
+    table->last_word = length - 8;
     table->rows = bytes_get_u64(bytes + FORMAT_AT_ROWS);
     table->waypoint_count = bytes_get_u64(bytes + FORMAT_AT_WAYPOINTS);
     table->arc_count = bytes_get_u64(bytes + FORMAT_AT_ARCS);
     table->opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
     table->monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
     table->joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
-    table->by_departure = open_guide(bytes, FORMAT_BY_DEPARTURE);
-    table->by_arrival = open_guide(bytes, FORMAT_BY_ARRIVAL);
-    table->curve_count = open_count(bytes, FORMAT_CURVES);
-    table->gap_count = open_count(bytes, FORMAT_GAPS);
+    table->by_departure = open_guide(table, FORMAT_BY_DEPARTURE);
+    table->by_arrival = open_guide(table, FORMAT_BY_ARRIVAL);
+    table->curve_count = open_count(table, FORMAT_CURVES);
+    table->gap_count = open_count(table, FORMAT_GAPS);
 }
 
-static void open_place_guide(tdsp_guide *guide, const unsigned char *section)
+static void open_place_guide(tdsp_guide *guide, uint64_t offset)
 {
     if (guide->cells == 0) return;
-    guide->bases = section;
-    guide->counts = section + guide_bases_size(guide->cells);
+    guide->bases = offset;
+    guide->counts = offset + guide_bases_size(guide->cells);
 }
 
 static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS_2])
@@ -145,8 +157,8 @@ static void open_place(tdsp_table *table, const uint64_t offsets[FORMAT_SECTIONS
     table->opaque = offsets[FORMAT_OPAQUE];
     table->curves = offsets[FORMAT_CURVES];
     table->gaps = offsets[FORMAT_GAPS];
-    open_place_guide(&table->by_departure, table->bytes + offsets[FORMAT_BY_DEPARTURE]);
-    open_place_guide(&table->by_arrival, table->bytes + offsets[FORMAT_BY_ARRIVAL]);
+    open_place_guide(&table->by_departure, offsets[FORMAT_BY_DEPARTURE]);
+    open_place_guide(&table->by_arrival, offsets[FORMAT_BY_ARRIVAL]);
 }
 
 /* The rows are good: departures rise from 0. (Should the first be -0 and the only one, its bits would not be 0.) */
@@ -161,22 +173,23 @@ static void open_span(tdsp_table *table)
 }
 
 /* The view of bytes whose sections lie inside them. */
-static int open_view_placed(tdsp_table *view, const unsigned char *bytes, size_t length)
+static int open_view_placed(tdsp_table *view, const unsigned char *bytes, size_t length, uint32_t header)
 {
     uint64_t offsets[FORMAT_SECTIONS_2] = {0};
     open_view(view, bytes, length);
-    if (!open_sections(view, offsets)) return 0;
+    if (!open_sections(view, header, offsets)) return 0;
     open_place(view, offsets);
     return 1;
 }
 
 tdsp_status table_open_into(tdsp_table *view, const void *bytes, size_t length)
 {
-    tdsp_status status = open_lengths(bytes, length);
-    if (status == TDSP_OK) status = open_checksums(bytes, length);
+    uint32_t header;
+    tdsp_status status = open_lengths(bytes, length, &header);
+    if (status == TDSP_OK) status = open_checksums(bytes, length, header);
     if (status != TDSP_OK) return status;
     memset(view, 0, sizeof *view);
-    if (!open_view_placed(view, bytes, length)) return TDSP_BAD_TABLE;
+    if (!open_view_placed(view, bytes, length, header)) return TDSP_BAD_TABLE;
     if (!check_header(view) || !check_rows(view) || !check_paths(view) || !check_opaque(view)) return TDSP_BAD_TABLE;
     open_span(view);
     return check_guides(view) && check_gaps(view) ? TDSP_OK : TDSP_BAD_TABLE;
@@ -194,9 +207,10 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
 tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length)
 {
     tdsp_table view = {0};
-    tdsp_status status = open_lengths(bytes, length);
+    uint32_t header;
+    tdsp_status status = open_lengths(bytes, length, &header);
     if (status != TDSP_OK) return status;
-    if (!open_view_placed(&view, bytes, length)) return TDSP_BAD_TABLE;
+    if (!open_view_placed(&view, bytes, length, header)) return TDSP_BAD_TABLE;
     open_span(&view);
     *table = view;
     return TDSP_OK;

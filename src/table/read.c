@@ -14,18 +14,13 @@ table_path table_row_path(const tdsp_table *table, uint64_t row)
 {
     table_path path = {0, 0};
     if (table->waypoint_count == 0) return path;
-    const unsigned char *p = table->bytes + table->first_waypoint + 4 * row;
+    const unsigned char *p = table_waypoint_bounds(table, row);
     uint64_t first = bytes_get_u32(p);
     uint64_t end = bytes_get_u32(p + 4);
     if (end > table->waypoint_count || end < first + 2) return path;
     path.first = first;
     path.legs = table->joint == 1 ? end - first - 1 : (end - first) / 2;
     return path;
-}
-
-static const unsigned char *table_waypoint(const tdsp_table *table, uint64_t waypoint)
-{
-    return table->bytes + table->waypoints + FORMAT_WAYPOINT_SIZE * waypoint;
 }
 
 static tdsp_point table_point(const unsigned char *p)
@@ -54,7 +49,7 @@ static void table_add_arc(const unsigned char *p, tdsp_leg *leg)
 /* A curve begins as an arc. */
 void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
 {
-    const unsigned char *p = table->bytes + table->curves + FORMAT_CURVE_SIZE * curve;
+    const unsigned char *p = table_at(table, table->curves + FORMAT_CURVE_SIZE * curve, FORMAT_CURVE_SIZE);
     table_add_arc(p, leg);
     leg->kind = TDSP_LEG_CURVE;
     leg->rate_from = bytes_get_f64(p + FORMAT_CURVE_AT_RATE_FROM);
@@ -66,8 +61,9 @@ void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
 
 void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp_leg *out)
 {
-    const unsigned char *from = table_waypoint(table, path.first + leg * table->joint);
-    const unsigned char *to = from + FORMAT_WAYPOINT_SIZE;
+    uint64_t waypoint = path.first + leg * table->joint;
+    const unsigned char *from = table_waypoint(table, waypoint);
+    const unsigned char *to = table_waypoint(table, waypoint + 1);
     memset(out, 0, sizeof *out);
     out->kind = TDSP_LEG_LINE;
     out->disc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_DISC);
@@ -77,14 +73,14 @@ void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp
     out->to = table_point(to + FORMAT_WAYPOINT_AT_X);
     uint64_t arc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_ARC);
     if (arc < table->arc_count)
-        table_add_arc(table->bytes + table->arcs + FORMAT_ARC_SIZE * arc, out);
+        table_add_arc(table_arc(table, arc), out);
     else if (arc - table->arc_count < table->curve_count)
         table_add_curve(table, arc - table->arc_count, out);
 }
 
 static const unsigned char *table_gap_at(const tdsp_table *table, uint64_t i)
 {
-    return table->bytes + table->gaps + FORMAT_GAP_SIZE * i;
+    return table_at(table, table->gaps + FORMAT_GAP_SIZE * i, FORMAT_GAP_SIZE);
 }
 
 uint64_t table_gap_row(const tdsp_table *table, uint64_t i)

@@ -1,10 +1,11 @@
 /*
  * Bounded reads of an opened table.
  *
- * Rows are read without a check: the sections of fixed stride were measured against the length when the table was
- * opened, and the caller's row is below table->rows. Indices that stand in the bytes themselves (first waypoint, arc or curve, first
- * byte) are checked at each use as well as at opening, so that no read leaves the buffer even when the bytes change
- * afterwards, as a mapped file's can.
+ * Rows are read without a check: their three sections were measured against the length when the table was opened, and the caller's row is
+ * below table->rows. Every other place is kept inside the length as it is read, and indices that stand in the bytes themselves are
+ * checked at each use as well as at opening, so that no read leaves the buffer even when the bytes change afterwards, as a mapped file's can.
+ * Places are added up as offsets, and halving takes the mean of its ends: so each stays within the bounds of what it is made of, which
+ * is what tests/proof needs to see.
  */
 #ifndef TABLE_READ_H
 #define TABLE_READ_H
@@ -15,23 +16,29 @@
 
 static inline double table_departure(const tdsp_table *table, uint64_t row)
 {
-    return bytes_get_f64(table->bytes + table->departures + 8 * row);
+    return bytes_get_f64(table->bytes + (table->departures + 8 * row));
 }
 
 /* The bits of doubles that are not negative are in the order of the doubles, and whole numbers compare faster. */
 static inline uint64_t table_departure_bits(const tdsp_table *table, uint64_t row)
 {
-    return bytes_get_u64(table->bytes + table->departures + 8 * row);
+    return bytes_get_u64(table->bytes + (table->departures + 8 * row));
 }
 
 static inline double table_left(const tdsp_table *table, uint64_t row)
 {
-    return bytes_get_f64(table->bytes + table->left + 8 * row);
+    return bytes_get_f64(table->bytes + (table->left + 8 * row));
 }
 
 static inline double table_right(const tdsp_table *table, uint64_t row)
 {
-    return bytes_get_f64(table->bytes + table->right + 8 * row);
+    return bytes_get_f64(table->bytes + (table->right + 8 * row));
+}
+
+/* `size` bytes of the table, at most a header's, from offset `at` on; the header's first instead of any outside. */
+static inline const unsigned char *table_at(const tdsp_table *table, uint64_t at, uint64_t size)
+{
+    return table->bytes + (at <= table->length - size ? at : 0);
 }
 
 static inline double table_header_f64(const tdsp_table *table, size_t at)
@@ -46,6 +53,27 @@ static inline uint32_t table_header_u32(const tdsp_table *table, size_t at)
 
 /* Why there is no answer after the last departure. */
 tdsp_status table_last_reason(const tdsp_table *table);
+
+/* The entries of a row and of the next in the index of waypoints, in that of opaque bytes; not where there is none. */
+static inline const unsigned char *table_waypoint_bounds(const tdsp_table *table, uint64_t row)
+{
+    return table_at(table, table->first_waypoint + 4 * row, 8);
+}
+
+static inline const unsigned char *table_opaque_bounds(const tdsp_table *table, uint64_t row)
+{
+    return table_at(table, table->first_byte + 8 * row, 16);
+}
+
+static inline const unsigned char *table_waypoint(const tdsp_table *table, uint64_t waypoint)
+{
+    return table_at(table, table->waypoints + FORMAT_WAYPOINT_SIZE * waypoint, FORMAT_WAYPOINT_SIZE);
+}
+
+static inline const unsigned char *table_arc(const tdsp_table *table, uint64_t arc)
+{
+    return table_at(table, table->arcs + FORMAT_ARC_SIZE * arc, FORMAT_ARC_SIZE);
+}
 
 /* The row of gap i < table->gap_count, and the gap. */
 uint64_t table_gap_row(const tdsp_table *table, uint64_t i);

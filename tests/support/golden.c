@@ -160,8 +160,8 @@ void golden_seal(unsigned char *bytes, size_t length)
     if (length < FORMAT_HEADER_LENGTH) return;
     size_t header = bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH);
     if (header < FORMAT_HEADER_LENGTH || header > length) return;
-    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes + header, length - header));
-    uint32_t crc = hash_crc32c(0, bytes, FORMAT_AT_HEADER_CRC);
-    crc = hash_crc32c(crc, bytes + FORMAT_AFTER_HEADER_CRC, header - FORMAT_AFTER_HEADER_CRC);
+    bytes_put_u32(bytes + FORMAT_AT_BODY_CRC, hash_crc32c(0, bytes, header, length));
+    uint32_t crc = hash_crc32c(0, bytes, 0, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, bytes, FORMAT_AFTER_HEADER_CRC, header);
     bytes_put_u32(bytes + FORMAT_AT_HEADER_CRC, crc);
 }

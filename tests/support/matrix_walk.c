@@ -23,9 +23,9 @@ void matrix_seal(unsigned char *bytes, size_t length)
     uint32_t header = bytes_get_u32(bytes + MATRIX_AT_HEADER_LENGTH);
     seal_tables(bytes, length);
     if (header < MATRIX_AFTER_HEADER_CRC || header > length) return;
-    bytes_put_u32(bytes + MATRIX_AT_BODY_CRC, hash_crc32c(0, bytes + header, length - header));
-    uint32_t crc = hash_crc32c(0, bytes, MATRIX_AT_HEADER_CRC);
-    bytes_put_u32(bytes + MATRIX_AT_HEADER_CRC, hash_crc32c(crc, bytes + MATRIX_AFTER_HEADER_CRC, header - MATRIX_AFTER_HEADER_CRC));
+    bytes_put_u32(bytes + MATRIX_AT_BODY_CRC, hash_crc32c(0, bytes, header, length));
+    uint32_t crc = hash_crc32c(0, bytes, 0, MATRIX_AT_HEADER_CRC);
+    bytes_put_u32(bytes + MATRIX_AT_HEADER_CRC, hash_crc32c(crc, bytes, MATRIX_AFTER_HEADER_CRC, header));
 }
 
 static const char *walk_end(const tdsp_matrix_end *end)

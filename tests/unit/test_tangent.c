@@ -401,15 +401,37 @@ static void two_points_at_one_place_have_a_leg_at_one_moment(void **state)
         }
 }
 
+/* With a disc that stands K, w and their sum of squares less |D|^2 can all be told to the bit: here the leg of the second root vanishes at the very begin, and comes back. */
+static void a_leg_may_vanish_in_the_moment_at_which_the_search_begins(void **state)
+{
+    (void)state;
+    geom_disc i = disc_make(point_make(0.0, 0.0), 1.0, 0.0), j = disc_make(point_make(0.0, 0.0), 0.0, 0.6);
+    j.radius = j.sine; /* K = 0, w = -0.6 */
+    double lo = 0.5, hi = 0.7, ends[4];
+    geom_tangent tangent;
+    do {
+        j.center.x = 0.5 * (lo + hi);
+        geom_pair pair = pair_make(&i, &j);
+        tangent = tangent_make(&pair, 1, 1, -1);
+        *(tangent.farthest < 0.6 ? &lo : &hi) = j.center.x;
+    } while (tangent.farthest != 0.6 && nextafter(lo, hi) < hi);
+    assert_exact(tangent.farthest, 0.6);
+    assert_int_equal(tangent_domain(&tangent, 0.0, 0.5, ends), 2);
+    assert_exact(ends[0], 0.0);
+    assert_exact(ends[1], 0.0);
+    assert_exact(ends[2], 0.0);
+    assert_exact(ends[3], 0.5);
+}
+
 /* Where |k| = 1 a departure point moves by more in one double of time than an angle may be wrong: the two on both sides are all there is. */
 static void a_rider_leaves_at_the_nearest_double_where_the_departure_point_races(void **state)
 {
     (void)state;
     uint64_t chance = 6;
     int left = 0;
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < 12000; ++k) {
         branch b = random_branch(&chance, k % 2 ? 1 : -1);
-        const double late = 1000.0; /* the doubles of time are far apart */
+        const double late = pow(10.0, k / 16 % 7); /* the doubles of time are ever farther apart */
         b.i.radius -= late * b.i.rate;
         b.j.radius -= late * b.j.rate;
         geom_pair pair = pair_make(&b.i, &b.j);
@@ -442,6 +464,7 @@ int main(void)
         cmocka_unit_test(the_normal_of_a_departure_is_the_riders_own_where_the_tangent_knows_less),
         cmocka_unit_test(discs_that_grow_by_next_to_nothing_have_the_legs_of_discs_that_stand),
         cmocka_unit_test(two_points_at_one_place_have_a_leg_at_one_moment),
+        cmocka_unit_test(a_leg_may_vanish_in_the_moment_at_which_the_search_begins),
         cmocka_unit_test(a_rider_leaves_at_the_nearest_double_where_the_departure_point_races),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

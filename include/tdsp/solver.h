@@ -18,7 +18,8 @@ extern "C" {
 
 /**
  * The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed; the rounding of a departure
- * and an arrival, 2^-52 of each, comes on top. Times over 2^40 times |sd| / speed in a scene where something grows are refused.
+ * and an arrival, 2^-52 of each, comes on top. Times over 2^40 times |sd| / speed in a scene where something grows are refused (by the general method: over 2^20 times), and so is every time in a scene
+ * with a disc farther away from the journey's middle, or larger, than 1e12 |sd|, unless |sd| is 0.
  *
  * For other ends than the scene's own (tdsp_solver_set_ends()) with a coordinate farther than |sd| from the middle of the scene's journey, that
  * distance takes the place of |sd| in the error: the scene's frame is made for its own journey.
@@ -83,7 +84,7 @@ TDSP_API tdsp_status tdsp_solver_ends(const tdsp_solver *solver, tdsp_ends *out)
  * @param departure  finite, not negative
  * @param arrival    the arrival; infinity when there is no way. Untouched on error (a status that is no answer)
  * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED or TDSP_CUT_OFF when there is no way;
- *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a departure too many journeys away (TDSP_SOLVER_ERROR); TDSP_SHRINKS when the
+ *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED for a departure or a disc too many journeys away (TDSP_SOLVER_ERROR); TDSP_SHRINKS when the
  *         answer reaches beyond tdsp_scene_valid_until(); TDSP_NO_MEMORY
  *
  * O(n^2 log n) at worst for discs of one rate. One thread at a time for a solver. Since 0.1.

@@ -28,7 +28,7 @@ typedef enum tdsp_status {
     TDSP_INVALID_ARGUMENT = 16, /* a null pointer, NaN, infinity or a value out of its stated range */
     TDSP_BUFFER_TOO_SMALL = 17, /* the buffer's capacity is below the required count, which was returned */
     TDSP_NO_ANSWER = 18,        /* there is no last answer with a path */
-    TDSP_NOT_SUPPORTED = 19,    /* this oracle, guarantee or table cannot do that, or a time is too far away */
+    TDSP_NOT_SUPPORTED = 19,    /* this oracle, guarantee or table cannot do that, or a time or a disc is too far away */
     TDSP_NEEDS_HORIZON = 20,    /* no disc ever ends the departures, and no horizon was given */
     TDSP_TOO_MANY_ROWS = 21,    /* the guarantee needs more than TDSP_MAX_ROWS rows */
 

@@ -93,6 +93,13 @@ scene_cover scene_cover_of(const tdsp_scene *scene, tdsp_point place);
 /* TDSP_OK, or why these cannot be asked about: as tdsp_solver_set_ends(). */
 tdsp_status scene_ends_make(const tdsp_scene *scene, const tdsp_ends *given, scene_ends *out);
 
+/* Are there discs so far away, or so large, that the frame's unit is not the journey but a share of them? */
+static inline int scene_is_too_wide(const tdsp_scene *scene)
+{
+    double straight = point_distance(scene->journey.source, scene->journey.destination);
+    return straight > 0.0 && straight < scene->length;
+}
+
 static inline tdsp_point scene_frame_point(const tdsp_scene *scene, tdsp_point place)
 {
     return point_scale(1.0 / scene->length, point_sub(place, scene->origin));

@@ -93,10 +93,14 @@ const tdsp_scene *tdsp_solver_scene(const tdsp_solver *solver)
 /* From here on a double no longer tells the moments of one journey apart. */
 #define FAR_AWAY 1099511627776.0 /* 2^40 */
 
+/* ... and from here on the engine for changing rates, which counts time from 0 and not from the departure, no longer aims legs between small discs. */
+#define FAR_AWAY_CHANGING 1048576.0 /* 2^20 */
+
 int solver_is_far(const tdsp_solver *solver, double time)
 {
     const tdsp_scene *scene = solver->scene;
-    return !scene_is_still(scene) && time > FAR_AWAY * scene->time && !scene_covered(solver->ends.source_cover, time);
+    if (scene_is_too_wide(scene)) return 1;
+    return !scene_is_still(scene) && time > (solver->growth ? FAR_AWAY_CHANGING : FAR_AWAY) * scene->time && !scene_covered(solver->ends.source_cover, time);
 }
 
 engine_question solver_forward_question(const tdsp_solver *solver, double departure)

@@ -61,7 +61,7 @@ tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *re
 /* Where the path kept is touched by two discs at one moment, on either hand. TDSP_OK, or TDSP_NO_ANSWER where it is not. */
 tdsp_status solver_pinch(const tdsp_solver *solver, tdsp_gap *out);
 
-/* Is this time too many journeys away to be answered, in a scene where something grows? */
+/* Is something too many journeys away for an answer: this time, in a scene where something grows, or a disc? */
 int solver_is_far(const tdsp_solver *solver, double time);
 
 /* What to tell of A(t) after a search with this answer: keeps the path, or finds out why there is no way. An answer or an error. */

@@ -8,7 +8,10 @@
 #include "support/chance.h"
 
 /* Times over so many journeys are refused, says tdsp/solver.h. */
-#define MOST_JOURNEYS 0x1p40
+static double most_journeys(const soak_world *world)
+{
+    return tdsp_solver_method(world->solver) == TDSP_METHOD_GENERAL ? 0x1p20 : 0x1p40;
+}
 
 void soak_fail(soak_case *c, double excess, const char *format, ...)
 {
@@ -23,7 +26,7 @@ void soak_fail(soak_case *c, double excess, const char *format, ...)
 
 int soak_is_far(const soak_world *world, tdsp_status status, double time)
 {
-    return status == TDSP_NOT_SUPPORTED && time > 0.5 * MOST_JOURNEYS * world->unit;
+    return status == TDSP_NOT_SUPPORTED && time > 0.5 * most_journeys(world) * world->unit;
 }
 
 double soak_ask(soak_case *c, const soak_world *world, double departure)

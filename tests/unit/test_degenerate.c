@@ -165,6 +165,30 @@ static void a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed(void 
     tdsp_scene_free(scene);
 }
 
+/* The frame's unit is no less than 1e-12 of the scene: a journey among discs that are farther off than that had no length, and its destination was reached at once. */
+static void a_disc_at_the_end_of_the_world_is_refused(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
+    const double away[] = {1.9e13, 2.1e13, 3e58};
+    for (int i = 0; i < 3; ++i) {
+        const tdsp_disc disc = {{0.0, away[i]}, 1.0, 0.5};
+        double arrival = -1.0, latest;
+        tdsp_scene *scene;
+        tdsp_solver *solver;
+        assert_int_equal(tdsp_scene_create(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+        for (int method = TDSP_METHOD_SAME_SPEED; method <= TDSP_METHOD_GENERAL; ++method) {
+            assert_int_equal(tdsp_solver_create_for(scene, (tdsp_method)method, &solver), TDSP_OK);
+            assert_int_equal(tdsp_earliest_arrival(solver, 1.0, &arrival), i > 0 ? TDSP_NOT_SUPPORTED : TDSP_OK);
+            assert_near(arrival, i > 0 ? -1.0 : 21.0, 1e-9);
+            assert_int_equal(tdsp_latest_departure(solver, 21.0, &latest, NULL), i > 0 ? TDSP_NOT_SUPPORTED : TDSP_OK);
+            arrival = -1.0;
+            tdsp_solver_free(solver);
+        }
+        tdsp_scene_free(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -176,6 +200,7 @@ int main(void)
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
+        cmocka_unit_test(a_disc_at_the_end_of_the_world_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

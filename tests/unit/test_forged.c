@@ -12,6 +12,7 @@
 #include "base/bytes.h"
 #include "support/golden.h"
 #include "support/matrix_walk.h"
+#include "support/walk.h"
 #include "support/world.h"
 #include "table/check.h"
 #include "table/format.h"
@@ -179,23 +180,54 @@ static void a_guide_to_arrivals_that_fall_by_a_rounding_is_refused(void **state)
     free(bytes);
 }
 
+/* A table right before memory that must not be read. */
+typedef struct brink {
+    void *pages;
+    unsigned char *bytes;
+    size_t page;
+} brink;
+
+static brink brink_of(size_t which, size_t *length)
+{
+    brink b = {.page = (size_t)sysconf(_SC_PAGESIZE)};
+    unsigned char *bytes = golden_bytes(which, length);
+    assert_true(*length <= b.page);
+    assert_int_equal(posix_memalign(&b.pages, b.page, 2 * b.page), 0);
+    b.bytes = (unsigned char *)b.pages + b.page - *length;
+    memcpy(b.bytes, bytes, *length);
+    free(bytes);
+    assert_int_equal(mprotect((unsigned char *)b.pages + b.page, b.page, PROT_NONE), 0);
+    return b;
+}
+
+static void brink_free(brink b)
+{
+    assert_int_equal(mprotect((unsigned char *)b.pages + b.page, b.page, PROT_READ | PROT_WRITE), 0);
+    free(b.pages);
+}
+
 /* 2^61 curves of 88 bytes take none, as far as 64 bits go. The table ends where the memory does: a read of the first curve would be noticed. */
 static void a_number_of_curves_whose_size_wraps_around_is_refused(void **state)
 {
     (void)state;
-    size_t length, page = (size_t)sysconf(_SC_PAGESIZE);
-    unsigned char *bytes = golden_bytes(SQUEEZE, &length);
-    void *pages;
-    assert_int_equal(posix_memalign(&pages, page, 2 * page), 0);
-    unsigned char *end = (unsigned char *)pages + page;
-    assert_true(length <= page);
-    memcpy(end - length, bytes, length);
-    assert_int_equal(mprotect(end, page, PROT_NONE), 0);
-    bytes_put_u64(end - length + format_at_offset(FORMAT_CURVES) + FORMAT_FURTHER_AT_COUNT, UINT64_C(1) << 61);
-    assert_int_equal(open_sealed(end - length, length), TDSP_BAD_TABLE);
-    assert_int_equal(mprotect(end, page, PROT_READ | PROT_WRITE), 0);
-    free(pages);
-    free(bytes);
+    size_t length;
+    brink b = brink_of(SQUEEZE, &length);
+    bytes_put_u64(b.bytes + format_at_offset(FORMAT_CURVES) + FORMAT_FURTHER_AT_COUNT, UINT64_C(1) << 61);
+    assert_int_equal(open_sealed(b.bytes, length), TDSP_BAD_TABLE);
+    brink_free(b);
+}
+
+static void no_question_reads_behind_a_table_that_ends_where_the_memory_does(void **state)
+{
+    (void)state;
+    size_t length;
+    tdsp_table table;
+    for (size_t which = 0; which < GOLDEN_COUNT; which++) {
+        brink b = brink_of(which, &length);
+        assert_int_equal(tdsp_table_open(&table, b.bytes, length), TDSP_OK);
+        assert_null(walk_table(&table));
+        brink_free(b);
+    }
 }
 
 static void a_guide_of_nothing_has_the_scale_0(void **state)
@@ -364,8 +396,7 @@ static void padding_in_a_matrix_is_zero(void **state)
     (void)state;
     forged f = forge();
     tdsp_matrix matrix;
-    uint64_t names = bytes_get_u64(f.bytes + MATRIX_AT_NAMES);
-    for (uint64_t i = 5; i < 8; i++) {
+    for (uint64_t i = 5, names = bytes_get_u64(f.bytes + MATRIX_AT_NAMES); i < 8; i++) {
         f.bytes[names + i] = 1;
         assert_int_equal(open_matrix(&f, &matrix), TDSP_BAD_TABLE);
         f.bytes[names + i] = 0;
@@ -452,6 +483,7 @@ int main(void)
         cmocka_unit_test(a_curve_that_turns_by_less_than_nothing_is_refused),
         cmocka_unit_test(a_guide_to_arrivals_that_fall_by_a_rounding_is_refused),
         cmocka_unit_test(a_number_of_curves_whose_size_wraps_around_is_refused),
+        cmocka_unit_test(no_question_reads_behind_a_table_that_ends_where_the_memory_does),
         cmocka_unit_test(a_guide_of_nothing_has_the_scale_0),
         cmocka_unit_test(an_odd_number_of_waypoints_is_refused_where_legs_have_two_each),
         cmocka_unit_test(padding_in_a_matrix_is_zero),

@@ -8,6 +8,7 @@
 #include "support/golden.h"
 #include "support/walk.h"
 #include "table/format.h"
+#include "table/read.h"
 #include "tdsp/table.h"
 
 /* A table of the golden ones in a block of its own size, so that the sanitizer sees a read past its end. */
@@ -393,6 +394,31 @@ static void a_newer_minor_version_with_a_longer_header_and_more_sections_is_read
     }
 }
 
+/* The opaque bytes of the road table are its last section: 13 bytes and three zeros. */
+static void a_table_without_the_padding_of_its_last_section_is_refused(void **state)
+{
+    (void)state;
+    for (size_t less = 0; less < 4; less++) {
+        size_t length;
+        unsigned char *bytes = golden_bytes(1, &length);
+        tdsp_table table;
+        bytes_put_u64(bytes + FORMAT_AT_LENGTH, length - less);
+        golden_seal(bytes, length - less);
+        assert_int_equal(tdsp_table_open(&table, bytes, length - less), less ? TDSP_BAD_TABLE : TDSP_OK);
+        free(bytes);
+    }
+}
+
+static void an_offset_outside_of_the_bytes_leads_to_the_header(void **state)
+{
+    (void)state;
+    unsigned char bytes[FORMAT_HEADER_LENGTH];
+    const tdsp_table table = {.bytes = bytes, .length = sizeof bytes};
+    assert_ptr_equal(table_at(&table, sizeof bytes - 8, 8), bytes + sizeof bytes - 8);
+    assert_ptr_equal(table_at(&table, sizeof bytes - 7, 8), bytes);
+    assert_ptr_equal(table_at(&table, UINT64_MAX, 8), bytes);
+}
+
 static void bytes_that_change_after_opening_lead_no_read_outside(void **state)
 {
     (void)state;
@@ -425,6 +451,8 @@ int main(void)
         cmocka_unit_test(opaque_offsets_out_of_order_are_refused),
         cmocka_unit_test(at_a_joint_of_two_waypoints_the_times_must_agree),
         cmocka_unit_test(a_newer_minor_version_with_a_longer_header_and_more_sections_is_read),
+        cmocka_unit_test(a_table_without_the_padding_of_its_last_section_is_refused),
+        cmocka_unit_test(an_offset_outside_of_the_bytes_leads_to_the_header),
         cmocka_unit_test(bytes_that_change_after_opening_lead_no_read_outside),
     };
     return cmocka_run_group_tests_name("table", tests, NULL, NULL);

@@ -43,7 +43,8 @@ static ride_sample sample_at(const ride_pass *pass, double at)
 
 static double touch_of(const ride_pass *pass, const ride_sample *sample, double distance)
 {
-    return -tolerance_touch(pass->other->center, sample->radius + distance);
+    double sizes = sample->radius + distance;
+    return sample->radius <= SHAPE_LEAST_RIDE ? -sizes : -tolerance_touch(pass->other->center, sizes);
 }
 
 /* How far outside, in touches: below -1 it is no touch any more. */

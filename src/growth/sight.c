@@ -106,6 +106,7 @@ sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_lin
 static double touch(const growth_shape *shape, double distance, double radius)
 {
     double sizes = distance + radius;
+    if (radius <= SHAPE_LEAST_RIDE) return -sizes * sizes; /* nobody has to go round it */
     return -tolerance_touch(shape->center, sizes) * sizes;
 }
 

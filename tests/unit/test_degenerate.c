@@ -165,6 +165,21 @@ static void a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed(void 
     tdsp_scene_free(scene);
 }
 
+/* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
+static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-10.0, 3.0}, {10.0, 1.37}};
+    static const double values[] = {0.0, 1e-40};
+    for (double radius = 1e-13; radius < 1e-9; radius *= 3.0) {
+        const tdsp_growing_disc disc = {{0.0, 2.185}, radius, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = values}};
+        tdsp_scene *scene;
+        assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+        assert_near(arrival_by(scene, TDSP_METHOD_GENERAL, 1.0), 1.0 + hypot(20.0, 1.63), 1e-9);
+        tdsp_scene_free(scene);
+    }
+}
+
 /* The frame's unit is no less than 1e-12 of the scene: a journey among discs that are farther off than that had no length, and its destination was reached at once. */
 static void a_disc_at_the_end_of_the_world_is_refused(void **state)
 {
@@ -200,6 +215,7 @@ int main(void)
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
+        cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),
         cmocka_unit_test(a_disc_at_the_end_of_the_world_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

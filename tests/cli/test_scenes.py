@@ -191,10 +191,11 @@ def white_space_line_ends_and_a_byte_order_mark_do_not_matter():
 
 @test
 def whole_numbers_of_any_size_and_tiny_numbers_are_read_rightly():
-    far = [{"center": [0, 3], "radius": 1, "growth": 0.1}, {"center": [99999999999999999999, 18446744073709551617], "radius": 1, "growth": 0}]
-    content = with_member(discs=far).replace("[0, 3]", "[1e-400, 3e0]")
-    near = with_member(discs=far[:1])
-    expect_near(arrival(content), arrival(near), 1e-12)
+    far = {"source": [-99999999999999999999, 0], "destination": [99999999999999999999, 18446744073709551617], "robot": {"speed": 18446744073709551617}}
+    disc = {"center": [0, 3], "radius": 1, "growth": 0.1}
+    content = with_member(**far, discs=[disc]).replace("[0, 3]", "[1e-400, 3e0]")
+    same = with_member(source=[-1e20, 0.0], destination=[1e20, 2.0**64], robot={"speed": 2.0**64}, discs=[disc])
+    expect_near(arrival(content), arrival(same), 1e-12)
 
 
 @test

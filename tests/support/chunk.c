@@ -124,7 +124,7 @@ static int chunk_leg_solve(const chunk_world *w, uint32_t disc, int to_side, int
     out->length = taken.length;
     geom_line line = {disc_boundary(w->motion.disc, taken.normal, leave), point_unit(out->heading), leave, out->length};
     out->line = line;
-    return out->length > NO_LENGTH;
+    return out->length > NO_LENGTH && disc_radius(&w->discs[disc], leave + taken.length) > 0.0; /* backwards in time a disc may be gone by then */
 }
 
 int chunk_legs(const chunk_world *w, chunk_leg legs[4 * CHUNK_MOST])

@@ -2,7 +2,7 @@
 """Prove by Frama-C's Eva that no input up to a length leads the table reader into undefined behaviour. Python's standard library only.
 
     prove.py OUT LENGTHS [--machine M]... [--jobs N]     LENGTHS: "0-400" or "96,400"; prints "ok ..." or "not ok ..." lines
-    prove.py OUT --self-test LENGTH                      that each of BROKEN, a reader with one check less, raises an alarm
+    prove.py OUT --self-test                             that each of BROKEN, a reader with one check less, raises an alarm
 
 Each length is an analysis of its own (tests/proof/table.c). One holds when Eva finished, raised no alarm, left no property unknown or invalid, and
 reached everything in the functions it entered.
@@ -32,26 +32,27 @@ OPTIONS = ["-eva", "-eva-precision", "0", "-eva-no-results", "-eva-print-callsta
            # Infinities and NaN are values like others; a pointer outside its object is an alarm even where nobody reads through it.
            "-warn-special-float", "none", "-warn-invalid-pointer"]
 
-# Off by one, or left out: (file, what stands there, what stands there instead).
+# Off by one, or left out: (what, file, what stands there, what stands there instead, a length that shows it).
 BROKEN = [
-    ("a section that ends behind the bytes", "src/table/open.c", "at > table->length - size", "at > table->length - size + 1"),
-    ("a row after the last", "src/query/row.c", "row >= table->rows", "row > table->rows"),
-    ("a guide's entry that is not kept inside", "src/table/guide.h", "count >= table->length", "count > table->length"),
-    ("a waypoint that is not kept inside", "src/table/read.h", "at <= table->length - size ? at : 0", "at <= table->length - size + 1 ? at : 0"),
-    ("a time that has no cell", "src/table/guide.h", "place == place && ", ""),
-    ("a row without its guard in a search", "src/query/arrival.c", "start >= table->rows || ", ""),
-    ("a header that is read before its length is known", "src/table/open.c", "length < FORMAT_HEADER_LENGTH || ", ""),
+    ("sections that are not held against the length", "src/table/open.c", "if (size > length || at > length - size) return 0;", "", 344),
+    ("a row after the last", "src/query/row.c", "row >= table->rows", "row > table->rows", 344),
+    ("a guide's entry that is not kept inside", "src/table/guide.h", "count >= table->length", "count > table->length", 344),
+    ("a waypoint that is not kept inside", "src/table/read.h", "at <= table->length - size ? at : 0", "at <= table->length - size + 1 ? at : 0", 344),
+    ("a time that has no cell", "src/table/guide.h", "place == place && ", "", 344),
+    ("a row without its guard in a search", "src/query/arrival.c", "start >= table->rows || ", "", 344),
+    ("a header that is read before its length is known", "src/table/open.c", "length < FORMAT_HEADER_LENGTH || ", "", 20),
 ]
 
 
 def analyse(root, length, machine):
     """Eva's report on the reader in `root`."""
-    sources = SOURCES + sorted(str(p.relative_to(root)) for p in [*root.glob("src/table/*.c"), *root.glob("src/query/*.c")])
-    sources = [s for s in sources if s != "src/table/matrix.c"]
-    include = f"-Iinclude -Isrc -I{ROOT}/tests -DLENGTH={length} -DBATCH_MIN_ROWS=2u"
+    # Absolute paths: Frama-C takes relative ones from PWD, the preprocessor takes them from the working directory.
+    root = root.resolve()
+    sources = [root / s for s in SOURCES] + sorted(p for p in [*root.glob("src/table/*.c"), *root.glob("src/query/*.c")] if p.name != "matrix.c")
+    include = f"-I{root}/include -I{root}/src -I{ROOT}/tests -DLENGTH={length} -DBATCH_MIN_ROWS=2u"
     line = ["frama-c", "-machdep", machine, "-cpp-extra-args=" + include, *OPTIONS, str(ROOT / "tests/proof/table.c"),
-            str(ROOT / "tests/proof/libm.c"), *sources]
-    return subprocess.run(line, capture_output=True, text=True, cwd=root)
+            str(ROOT / "tests/proof/libm.c"), *map(str, sources)]
+    return subprocess.run(line, capture_output=True, text=True)
 
 
 def problems(done):
@@ -96,10 +97,10 @@ def prove_all(out, lengths, machines, jobs):
     return failed
 
 
-def self_test(out, length):
+def self_test(out):
     """Each broken reader must raise an alarm, and the right place must have been broken."""
     failed = 0
-    for what, path, right, wrong in BROKEN:
+    for what, path, right, wrong, length in BROKEN:
         root = out / "broken"
         shutil.rmtree(root, ignore_errors=True)
         for folder in ("src", "include"):
@@ -116,14 +117,14 @@ def self_test(out, length):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("out", type=pathlib.Path)
-    parser.add_argument("lengths", type=lengths_of)
+    parser.add_argument("lengths", type=lengths_of, nargs="?")
     parser.add_argument("--machine", action="append")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--self-test", action="store_true")
     args = parser.parse_args()
     args.out.mkdir(parents=True, exist_ok=True)
     if args.self_test:
-        return self_test(args.out, args.lengths[-1]) != 0
+        return self_test(args.out) != 0
     return prove_all(args.out, args.lengths, args.machine or ["x86_64"], args.jobs) != 0
 
 

@@ -33,7 +33,7 @@ static inline tdsp_status arrival_bounds(const tdsp_table *table, uint64_t row, 
 /* Apart, and called last, so that the likely way has nothing to save and restore. */
 static tdsp_status arrival_search(const tdsp_table *table, double departure, double *lower, double *upper)
 {
-    uint64_t row;
+    uint64_t row = 0;
     tdsp_status status = tdsp_table_find(table, departure, &row);
     return status == TDSP_OK ? arrival_bounds(table, row, departure, lower, upper) : status;
 }

@@ -106,7 +106,7 @@ gboolean json_read_string(const JsonValue *value, const char **string, GError **
 gboolean json_read_point(const JsonValue *value, tdsp_point *point, GError **error)
 {
     guint length = 0;
-    tdsp_point read;
+    tdsp_point read = {0.0, 0.0};
     if (!json_read_array(value, &length, error)) return FALSE;
     if (length != 2) return json_read_fail(&value->place, error, "a point has exactly two numbers, not %u", length);
     JsonValue x = json_read_item(value, 0), y = json_read_item(value, 1);

@@ -366,6 +366,16 @@ static void calls_are_limited_and_the_findings_say_so(void **state)
     assert_int_equal(found.calls, 10);
 }
 
+/* Member by member: between them are bytes that belong to none. */
+static void assert_same_finding(const tdsp_oracle_finding *a, const tdsp_oracle_finding *b)
+{
+    const double numbers[2][5] = {{a->asked, a->answered, a->other, a->seen, a->expected}, {b->asked, b->answered, b->other, b->seen, b->expected}};
+    assert_int_equal(a->rule, b->rule);
+    assert_int_equal(a->callback, b->callback);
+    assert_int_equal(a->status, b->status);
+    assert_memory_equal(numbers[0], numbers[1], sizeof numbers[0]);
+}
+
 static void the_same_seed_finds_the_same(void **state)
 {
     (void)state;
@@ -377,7 +387,11 @@ static void the_same_seed_finds_the_same(void **state)
         oracle.earliest_arrival = dips_between_12_and_14;
         assert_int_equal(tdsp_oracle_check(&oracle, NULL, NULL, &found[i]), TDSP_BAD_ORACLE);
     }
-    assert_memory_equal(&found[0], &found[1], sizeof found[0]);
+    assert_int_equal(found[0].broken, found[1].broken);
+    assert_memory_equal(found[0].times, found[1].times, sizeof found[0].times);
+    assert_int_equal(found[0].count, found[1].count);
+    assert_int_equal(found[0].calls, found[1].calls);
+    for (size_t i = 0; i < found[0].count; i++) assert_same_finding(&found[0].found[i], &found[1].found[i]);
 }
 
 static void bad_arguments_are_refused(void **state)

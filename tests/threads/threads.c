@@ -476,7 +476,7 @@ int main(int argc, char **argv)
     const int rounds = argc > 1 ? atoi(argv[1]) : 1;
     int good = 1;
     make_shared(&all);
-    if (argc > 1 && strcmp(argv[1], "race") == 0) return all_at_once(&all, a_race, 1000) ? 0 : 1;
+    if (argc > 1 && strcmp(argv[1], "race") == 0) return all_at_once(&all, a_race, 300000) ? 0 : 1;
     AT_ONCE(one_scene_a_solver_each);
     AT_ONCE(one_scene_of_changing_rates_a_solver_each);
     AT_ONCE(one_scene_read);

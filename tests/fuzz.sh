@@ -3,7 +3,7 @@
 #   fuzz.sh SECONDS PROGRAM...
 # What is found is kept across runs beside the programs: inputs that reach something new in corpus/NAME, inputs that fail as corpus/NAME-crash-..., and what was said of them in
 # corpus/NAME.log. FUZZ_SEED fixes the order of what is tried (default 1, as in the check); 0 takes another one each time, and prints it into the log.
-# FUZZ_REPORT names a CSV file to which the numbers of each program are written.
+# FUZZ_RUNS ends each after so many inputs (default -1: after SECONDS only). FUZZ_REPORT names a CSV file to which the numbers of each program are written.
 set -uo pipefail
 cd "$(dirname "$0")/.." || exit 1
 
@@ -34,7 +34,7 @@ for program in "$@"; do
     [ -f "tests/fuzz/$name.dict" ] && words=("-dict=tests/fuzz/$name.dict")
     begin=$SECONDS
     # Warnings of the command come by the million: into a file, and out of the report.
-    "$program" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
+    "$program" -seed="${FUZZ_SEED:-1}" -max_total_time="$seconds" -runs="${FUZZ_RUNS:--1}" -timeout=60 -rss_limit_mb=2048 -print_final_stats=1 \
         "${words[@]}" -artifact_prefix="$kept-" "$kept" "${inputs[@]}" >"$kept.log" 2>&1
     status=$?
     crashes=$(find "$(dirname "$kept")" -maxdepth 1 -regex ".*/$name-\(crash\|timeout\|oom\|leak\)-.*" | wc -l)

@@ -1,6 +1,8 @@
 # Fuzzing: what reads bytes or text from nowhere, and the whole library behind scenes from bytes. A target is any fuzz_*.c here; tests/fuzz.sh runs them under
 # libFuzzer, tests/fuzz/afl.sh under AFL++, and driver.c runs them over the inputs that are kept, in every build.
-FUZZ_SECONDS ?= 5
+# In the check each target runs so many inputs, not so long: what it tries does not depend on how fast the machine is.
+FUZZ_RUNS ?= 1000
+FUZZ_SECONDS ?= 600
 FUZZ_SOURCES := $(sort $(wildcard tests/fuzz/fuzz_*.c))
 FUZZERS := $(patsubst %.c,$(BUILD)/%,$(FUZZ_SOURCES))
 FUZZ_DRIVER := tests/fuzz/driver.c
@@ -15,23 +17,20 @@ $(FUZZERS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(call objects,$(FUZZ_PARTS
 .PHONY: run-fuzz
 run-fuzz: $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result) $(CHECK)/fuzz/reached.result
 $(FUZZERS:$(BUILD)/tests/%=$(CHECK)/%.result): $(CHECK)/%.result: $(BUILD)/tests/% FORCE
-	$(RUN) tests/fuzz.sh $(FUZZ_SECONDS) $<
-
-# Asked for by name, a run takes longer than in the check.
-LONG_FUZZ_SECONDS = $(if $(filter command,$(origin FUZZ_SECONDS)),$(FUZZ_SECONDS),600)
+	$(RUN) env FUZZ_RUNS=$(FUZZ_RUNS) tests/fuzz.sh $(FUZZ_SECONDS) $<
 
 .PHONY: fuzz
 fuzz: ## fuzz for FUZZ_SECONDS each (default 600); numbers in build/fuzz/report.csv
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s FUZZ=1 CC=$(CLANG) BUILD=$(BUILD)/fuzz fuzzers
-	@FUZZ_SEED=$${FUZZ_SEED:-0} FUZZ_REPORT=$(BUILD)/fuzz/report.csv tests/fuzz.sh $(LONG_FUZZ_SECONDS) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
+	@FUZZ_SEED=$${FUZZ_SEED:-0} FUZZ_REPORT=$(BUILD)/fuzz/report.csv tests/fuzz.sh $(FUZZ_SECONDS) $(FUZZ_SOURCES:%.c=$(BUILD)/fuzz/%)
 
 # The compiler is the same, and so are the targets; AFL++ brings its counters and its main().
 .PHONY: fuzz-afl
 fuzz-afl: ## the same under AFL++; numbers in build/afl/report.csv
 	@tools/setup/packages.sh trust
 	+@AFL_CC=$(CLANG) AFL_LLVM_INSTRUMENT=LLVM-NATIVE AFL_QUIET=1 $(MAKE) --no-print-directory -s FUZZ=1 CC=afl-clang-fast BUILD=$(BUILD)/afl fuzzers
-	@tests/fuzz/afl.sh $(LONG_FUZZ_SECONDS) $(BUILD)/afl $(FUZZ_SOURCES:tests/fuzz/%.c=%)
+	@tests/fuzz/afl.sh $(FUZZ_SECONDS) $(BUILD)/afl $(FUZZ_SOURCES:tests/fuzz/%.c=%)
 
 .PHONY: fuzzers
 fuzzers: $(FUZZERS)

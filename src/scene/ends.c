@@ -45,7 +45,7 @@ static void cover_by_leaf(const tdsp_scene *scene, const index_node *leaf, tdsp_
         const tdsp_disc *disc = &scene->discs[given];
         if (disc_is_late(disc, scene->journey.radius, place, cover->time)) continue;
         double until = disc_free_until(disc, scene->journey.radius, place);
-        if (isinf(until) || until > cover->time || (until == cover->time && given >= cover->disc)) continue;
+        if (until == INFINITY || until > cover->time || (until == cover->time && given >= cover->disc)) continue;
         cover->time = until;
         cover->disc = given;
     }

@@ -180,6 +180,22 @@ static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
     }
 }
 
+/* The moment from which on the source would have been covered lay before the least double, and counted as never. */
+static void a_source_inside_a_disc_that_hardly_grows_is_covered(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {9.5367431640625e-07, 0.0, {0.0, 0.0}, {3129344.0, 2080768.0}};
+    const tdsp_disc disc = {{0.0, 0.0}, 520192.0, 9.536743165016175e-307};
+    double arrival = 0.0;
+    tdsp_scene *scene;
+    tdsp_solver *solver;
+    assert_int_equal(tdsp_scene_create(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_earliest_arrival(solver, 0.0, &arrival), TDSP_SOURCE_COVERED);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 /* The frame's unit is no less than 1e-12 of the scene: a journey among discs that are farther off than that had no length, and its destination was reached at once. */
 static void a_disc_at_the_end_of_the_world_is_refused(void **state)
 {
@@ -216,6 +232,7 @@ int main(void)
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
         cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),
+        cmocka_unit_test(a_source_inside_a_disc_that_hardly_grows_is_covered),
         cmocka_unit_test(a_disc_at_the_end_of_the_world_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -3,6 +3,8 @@
 #   check.sh PROGRAM ROUNDS
 set -uo pipefail
 
+# The thread sanitizer reads the options of the others too, and their exit status would be its own.
+unset ASAN_OPTIONS LSAN_OPTIONS UBSAN_OPTIONS
 export TSAN_OPTIONS="exitcode=66 halt_on_error=0"
 "$1" "$2"
 status=$?

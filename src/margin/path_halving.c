@@ -79,7 +79,7 @@ static double gained(const halving *self, double more)
 {
     double radius = 0.0, first = 0.0;
     if (self->how == TDSP_RAISE_ADDED) return more * self->met.time;
-    (void)tdsp_scene_disc_at(self->scene, self->met.disc, self->met.time, &radius, NULL);
+    if (tdsp_scene_disc_at(self->scene, self->met.disc, self->met.time, &radius, NULL) != TDSP_OK) return INFINITY;
     (void)tdsp_scene_disc_at(self->scene, self->met.disc, 0.0, &first, NULL);
     return more * (radius - first);
 }

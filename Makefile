@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # libtdsp: how it is built, tested, shown and installed. `make help` lists the targets.
 #
 # Sources are found by pattern: a new file in src/*/, tools/tdsp/ or tests/*/ needs no change here. Each variant (compiler,
@@ -229,8 +230,10 @@ run-unit: $(filter $(CHECK)/$(VARIANT)/unit/%,$(TEST_RUNS))
 # Everything that is checked once and needs no variant. A kind of test with targets of its own keeps them in tests/KIND/rules.mk, which adds to
 # `checks` what `make check` runs once, with its rule $(CHECK)/NAME.result, and to `steps` targets that need a variant of the build.
 checks := runner layers functions stack links pictures headers objects examples snippets install
+# What tests/languages and the like add to `languages` runs in `make check-languages`, whose toolchains are not everybody's.
 steps :=
-include $(sort $(wildcard tests/*/rules.mk))
+languages :=
+include $(sort $(wildcard tests/*/rules.mk tools/*/rules.mk))
 check_runs := $(checks:%=$(CHECK)/%.result)
 .PHONY: run-checks
 run-checks: $(check_runs)
@@ -261,6 +264,16 @@ check: ## run every test; the last line says how many passed and failed
 	@rm -rf $(CHECK) && mkdir -p $(CHECK)
 	+@$(MAKE) --no-print-directory -s -k -Otarget $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(JOBS)) check-steps || echo "0 1" > $(CHECK)/build.result
 	@tests/summary.sh $(CHECK)
+
+language_runs := $(languages:%=$(CHECK)/languages/%.result)
+.PHONY: run-languages check-languages
+$(language_runs): FORCE
+run-languages: $(language_runs)
+check-languages: ## run the packages, wrappers and examples of the other languages, their toolchains installed first
+	@tools/setup/packages.sh languages
+	@rm -rf $(CHECK)/languages && mkdir -p $(CHECK)/languages
+	@$(MAKE) --no-print-directory -s -k -Otarget run-languages || echo "0 1" > $(CHECK)/languages/build.result
+	@tests/summary.sh $(CHECK)/languages
 
 .PHONY: unit
 unit: ## run the unit tests only

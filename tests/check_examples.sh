@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run each example program and compare what it prints with examples/c/expected/NAME.txt.
 #   check_examples.sh DIRECTORY OF THE PROGRAMS
 set -uo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check the size of functions and files: no function over 60 lines without a reason, no file over 500.
 
 A reason is a comment right above the function (or in it) that says "long:" and why, e.g. "long: one case for each status".

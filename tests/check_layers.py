@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check that the layers of docs/README.md hold: a file of the library includes its own folder and lower layers only.
 
 Folders on one layer never include each other; a public header includes public headers only. The C library's headers are held

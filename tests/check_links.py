@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check the links of every Markdown file: a relative link names a file of the checkout, and an anchor a heading in it.
 
 Links to the outside are not followed; the checks run without a network.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check what the compiled library contains, where the source can hide it.
 
     check_objects.py BUILD

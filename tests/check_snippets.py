@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Run what the documentation shows, so that it stays true.
 
     check_snippets.py BUILD PAGE...

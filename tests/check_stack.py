@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check the freestanding line (layers 0 to 2) by the compiler's own call graph: no recursion, no unbounded stack, little of it.
 
 Prints the deepest stack that each public function can need besides the C library's own.

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run fuzzing programs for a while each, from the inputs in tests/fuzz/corpus/NAME and tests/fuzz/found/NAME.
 #   fuzz.sh SECONDS PROGRAM...
 # What is found is kept across runs beside the programs: inputs that reach something new in corpus/NAME, inputs that fail as corpus/NAME-crash-..., and what was said of them in

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run one test program and count what it found, so that nothing that goes wrong is taken for success.
 #   run.sh RESULT NAME COMMAND...
 # Writes "passed failed" to RESULT and the output beside it, prints one line, and exits 0: tests/summary.sh judges.

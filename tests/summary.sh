@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Add up the results that tests/run.sh left under a directory; succeed when there are some and none failed.
 #   summary.sh DIRECTORY
 set -euo pipefail

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * When does the robot arrive, and along which path? A scene made in code, two departures, and the legs of each path.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Build a table once, then answer from its bytes alone: arrivals with their guarantee, the path, the robot's position.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A table over a world of one's own: the sampler asks an oracle, and knows nothing of discs.
  *

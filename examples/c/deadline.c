@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * To arrive by a given time, when must the robot leave at the latest?
  *

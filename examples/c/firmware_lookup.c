@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A robot's firmware: the table is an array in flash, and two headers are all that is needed. No heap, no files, no solver.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Discs that grow as laws of one's own say: a fire that burns out, and a crowd that walks off at an alarm.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Which way out is the nearest, and until when can it be reached? One source, many destinations, one prepared scene.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A fire crew's trigger: by when must they leave, and how wrong may the forecast be?
  *

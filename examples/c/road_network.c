@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A table over roads: congestion comes and goes, a ferry leaves every half hour, and the answer is still a look-up.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The sampler: any oracle in, the bytes of a table out.
  *

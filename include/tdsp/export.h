@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Visibility of public symbols, and the library's version. */
 #ifndef TDSP_EXPORT_H
 #define TDSP_EXPORT_H

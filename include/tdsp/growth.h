@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Discs that grow otherwise than at one rate: polynomials, rates that change at given times, and laws by callback.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Deadlines and margins: when to leave at the latest and what says so, how much time is to spare, and how much faster everything may grow
  * before a plan fails.

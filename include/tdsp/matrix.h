@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Matrices: the tables between many sources and many destinations in one file. Open the bytes once, then ask for the table of a pair. No heap, no
  * stdio, no recursion, no state; firmware may use everything here. The format is specified in docs/format.md.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The oracle: the seam between fixed-time shortest paths and the sampler. Fill in the struct to build tables over
  * any kind of world; the sampler knows nothing of discs.

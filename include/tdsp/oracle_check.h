@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The conformance kit: does an oracle keep what tdsp/oracle.h asks of it? Run it over an oracle of your own before trusting a table.
  *

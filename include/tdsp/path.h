@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Moving along a path: pure functions on an array of legs. No heap, no stdio, no state; firmware may use them.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes: a robot, a source, a destination, and discs that grow. Build one, prepare it, share it.
  *

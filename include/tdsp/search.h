@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Label-setting search on a binary heap: Dijkstra and A* over whatever `expand` unfolds. The disc engine runs on it,
  * and a graph can.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The shape of A(t), the earliest arrival as a function of the departure: where it jumps, and of which pieces it is made.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The exact oracles among growing discs: earliest arrival, latest departure, and their paths.
  *

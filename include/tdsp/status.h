@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Outcomes of libtdsp's functions: one list for answers, mistakes of the caller, bad data and the system.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Tables: open the bytes once, then look up departures and paths. No heap, no stdio, no recursion, no state;
  * firmware may use everything here. The format is specified in docs/format.md.

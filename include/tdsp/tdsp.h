@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* libtdsp: time-dependent shortest paths among growing discs. Everything at once. */
 #ifndef TDSP_TDSP_H
 #define TDSP_TDSP_H

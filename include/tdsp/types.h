@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Points, discs, legs of a path, and the allocator: the values that every audience shares.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The verifier: checks a path against the discs, and a table against its scene, by means that share no code with
  * the search.

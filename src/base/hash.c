@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* FNV-1a and CRC-32C. The check values of both are pinned in the tests. */
 #include "base/hash.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Two sums over bytes: FNV-1a (64 bits), which names a scene, and CRC-32C, which guards a table.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums and differences rounded outward, so that a certified bound stays one after rounding.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sums and products of sizes that say when they do not fit: each returns 1 and sets *out, or returns 0. */
 #ifndef BASE_SIZES_H
 #define BASE_SIZES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A character is well formed exactly when its first byte gives the length and its second lies in the range of the first. */
 #include "base/text.h"
 

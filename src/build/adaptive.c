@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Adaptive sampling: b_i = sup { t : the guarantee holds on (b_(i-1), t] }, row by row.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * tdsp_build(): arguments in, a table out. The order of work is the order of the answers that can end it early: arguments, the way at
  * departure 0, the end of the domain, the rows, the bytes.

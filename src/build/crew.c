@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tasks over probes; what the tasks are is the samplers' business. */
 #include "build/crew.h"
 

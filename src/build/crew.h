@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Who asks: the oracle that was given, or the workers' oracles where the caller has threads to run them. */
 #ifndef BUILD_CREW_H
 #define BUILD_CREW_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Finding t_last = sup { t : A(t) < infinity }.
  *

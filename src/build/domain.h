@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The domain of departures: from 0 to the last one, and why it ends there. */
 #ifndef BUILD_DOMAIN_H
 #define BUILD_DOMAIN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A list that is appended to. */
 #include "build/gap_list.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What closes at the jumps of rows, on its way into a table. */
 #ifndef BUILD_GAP_LIST_H
 #define BUILD_GAP_LIST_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What closes at jumps. Asked when the rows are placed, of the oracle that was given and of nobody else: so the bytes do not depend on who found a
  * row, and no other call is under way.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Geometric sampling: Algorithm 1 of Maheshwari, Nouri, Sack (arXiv 1808.01984), its indices mended.
  *

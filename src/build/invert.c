@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Inverting a value that may jump, be flat, and wobble by the oracle's noise.
  *

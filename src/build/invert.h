@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Inverting a non-decreasing value by forward calls: the last departure at which its ceiling is under a cap.
  */

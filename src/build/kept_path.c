@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Copies of paths. An oracle's path lives until its next call; a row is written when the next row is known. */
 #include "build/kept_path.h"
 

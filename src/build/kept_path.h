@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A copy of a path that an oracle lent: legs, bytes, or neither. Its memory is kept for the next one. */
 #ifndef BUILD_KEPT_PATH_H
 #define BUILD_KEPT_PATH_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A table does not store what a kind of leg does not have, so that must be zero: what goes in comes out. */
 #include "build/leg.h"
 

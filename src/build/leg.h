@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Legs into a table: what one must be, and where its numbers go (docs/format.md, section 5). The sampler knows no more of paths than this. */
 #ifndef BUILD_LEG_H
 #define BUILD_LEG_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Building matrices: a table for each pair, over an oracle for each pair, and then all of them in one piece.
  *

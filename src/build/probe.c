@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Checked oracle calls; the error model is in probe.h. */
 #include "build/probe.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The sampler's view of an oracle: every call checked, counted, and turned into certified numbers.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What both ways of sampling share. */
 #include "build/sampler.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The two ways of placing rows. Each adds the rows of the whole domain; the writer is left with all but the last, which is held. */
 #ifndef BUILD_SAMPLER_H
 #define BUILD_SAMPLER_H

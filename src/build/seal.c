@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The right side of a jump at J from two answers: the forward one at `high` = J + w, and the reverse one for an arrival a just under it.
  *

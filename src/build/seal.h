@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Certifying the right side of a jump by a question backwards, instead of settling it to neighbouring doubles by forward ones.
  */

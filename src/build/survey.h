@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where the large jumps are: rows end there whatever the rows before, so the stretches between them can be sampled independently. */
 #ifndef BUILD_SURVEY_H
 #define BUILD_SURVEY_H

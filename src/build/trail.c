@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Guessing where a curve reaches a value, by Neville's scheme for the inverse function: departure as a polynomial of the value.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What earlier calls have taught: points of the curve behind, which steer the next guess, and samples ahead, which bound it.
  *

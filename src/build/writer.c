@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rows are collected as they come and laid out at the end, when the counts are known: the sections of docs/format.md one
  * behind the other, then the header with both checksums. See writer.h for the invariant.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The writer: rows in, the bytes of a table out (docs/format.md).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Angles, where a few digits will do: cheap formulas whose errors are stated, for finding out what cannot matter.
  */

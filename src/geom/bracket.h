@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The interval in which a root is known to lie, and which every step towards it shrinks. */
 #ifndef GEOM_BRACKET_H
 #define GEOM_BRACKET_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Who runs into whom: the equations are in contact.h and at ride_contact(). */
 #include "geom/contact.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Discs in the engine's frame: the robot's speed is 1, and a rate is negative when time runs backwards.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading growth laws: what they are stands in law.h. */
 #include "geom/law.h"
 

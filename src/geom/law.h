@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Growth laws as the geometry sees them: pieces of polynomials, one after the other in time.
  *

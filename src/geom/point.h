@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Plane vectors by value. */
 #ifndef GEOM_POINT_H
 #define GEOM_POINT_H

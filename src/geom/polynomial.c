@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Roots by Descartes' rule in Bernstein's form.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What near discs hide from a rider: the rule is in skyline.h. */
 #include "geom/skyline.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What near discs hide from a rider.
  *

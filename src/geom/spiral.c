@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Riding a disc's boundary: the equation is in spiral.h. */
 #include "geom/spiral.h"
 

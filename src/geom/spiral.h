@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Riding a disc's boundary. The tangential speed is sin(theta), so the angle turned obeys d(angle)/dt = sin(theta) / R(t):
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Straight legs between two moving boundaries: the equations are in tangent.h. */
 #include "geom/tangent.h"
 

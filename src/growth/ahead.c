@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The argument is in ahead.h. */
 #include "growth/ahead.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the legs of a chunk can meet, nearest first, and what hides it.
  *

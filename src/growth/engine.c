@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Labels: the description is in engine.h. */
 #include "growth/engine.h"
 

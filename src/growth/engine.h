@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The engine for discs whose rates change: label setting, forwards or backwards in time, by the same moves as the disc engine for constant rates
  * (src/search/engine.h) and with nothing in closed form but what the laws allow.

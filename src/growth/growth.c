@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Questions, by relaxation. */
 #include "growth/growth.h"
 

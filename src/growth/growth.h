@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Questions to the engine for changing rates: the face that the solver sees.
  *

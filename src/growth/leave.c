@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The argument is in leave.h. */
 #include "growth/leave.h"
 

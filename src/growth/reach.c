@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The argument is in reach.h. */
 #include "growth/reach.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The bound is in ride.h. */
 #include "growth/ride.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The description is in rider.h. */
 #include "growth/rider.h"
 

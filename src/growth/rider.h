@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A rider on a disc's boundary: its normal turns by the run's angle, its heading stands at theta from the normal, cos(theta) = R', to the left of it on side +1
  * (counter-clockwise) and to the right on side -1.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From labels to the legs of a path, in the user's units.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A disc with any growth law, as the engine for changing rates sees it: in the frame, where the robot's speed is 1.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The derivation is in sight.h and shape.h. */
 #include "growth/sight.h"
 

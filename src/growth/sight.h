@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Straight motions at the robot's speed past a disc with any growth law.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The argument is in wake.h. */
 #include "growth/wake.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What has been ridden already, on each disc: the argument of src/search/sweep.h, which asks of a law only that on one run the boundary moves outwards slower than the
  * robot. Who passed a place earlier goes straight outwards to where the later one is, if that way is free, and waits there (backwards in time: waits first, then goes).

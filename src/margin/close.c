@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Touches and their tolerance. */
 #include "margin/close.h"
 

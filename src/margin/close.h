@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a path comes close to, with the verifier's notion of a touch (tdsp/verify.h): its tolerance is
  *

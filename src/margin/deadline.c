@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The latest departure for a deadline, and why no later one is in time.
  *

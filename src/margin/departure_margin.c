@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* How far all rates may rise before a departure fails, with planning anew: the hunt, its ends, and what limits it. */
 #include <math.h>
 

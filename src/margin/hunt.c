@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Narrowing down: the method is in hunt.h. */
 #include "margin/hunt.h"
 

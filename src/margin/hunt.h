@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The hunt for the largest amount by which rates may rise.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The argument is in path_halving.h. */
 #include "margin/path_halving.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The margin of a fixed path among discs whose rates change: by halving on the amount, with the verifier for the judge.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How far all rates may rise before a fixed path meets a disc: the least, over legs and discs, of the amounts that raise a disc to the fastest
  * rate that the leg stays clear of (touch.h).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes with raised rates. */
 #include "margin/raise.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Rates raised by an amount, and back: which amount a rate stands for.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The least slope: the derivation is in touch.h. */
 #include "margin/touch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Legs as motions. */
 #include "margin/way.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A leg with what its bounds are made from. On lines and arcs the speed is constant, and so are its parts along and across the radius. */
 #ifndef MARGIN_WAY_H
 #define MARGIN_WAY_H

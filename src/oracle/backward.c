@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * d = sup { t : A(t) <= a } means two things: who leaves before d arrives by a (else d is late), and who leaves after d does not (else it is early). Both
  * are asked of the forward function beside d, and of every departure seen before: that holds the whole of A against each answer, so that

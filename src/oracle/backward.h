@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The reverse functions, latest_departure and latest_departure_between, held against the forward one; and the last reason. */
 #ifndef ORACLE_BACKWARD_H
 #define ORACLE_BACKWARD_H

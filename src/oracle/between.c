@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* latest_departure_between: told two departures around the answer, as the sampler does, and judged like any latest departure. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * tdsp_oracle_check(): what is declared, the forward function, and, where that is sound, everything that is held against it. Each part goes
  * on as far as the calls allow; what earlier parts have seen is what later parts compare with.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Calls counted and timed, findings kept, and the arithmetic of comparisons; see examiner.h. */
 #include "oracle/examiner.h"
 

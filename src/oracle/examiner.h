@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the parts of the conformance kit share: the oracle under examination, what it has answered, and what was found.
  *

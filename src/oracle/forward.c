@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where to ask. The end of the domain is found by doubling and halving, then departures are spread over it: one at random in each of equal
  * stretches, half of them in a long domain by its logarithm, and some beyond. Between neighbours with the steepest rise the half that rises more is taken again and again. What jumps keeps its

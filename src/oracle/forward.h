@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The forward function: asked at departures spread over its domain, where it jumps, and where it ends. */
 #ifndef ORACLE_FORWARD_H
 #define ORACLE_FORWARD_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A path is judged by what tdsp/types.h says of legs: no leg's motion is looked into, for only the oracle knows what its places mean. Places join up to
  * rounding: 1e-9 of the extent of the path, and 1e-13 of its largest coordinate.

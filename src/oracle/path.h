@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths that an oracle hands out: well formed, joined, from the departure to the arrival. */
 #ifndef ORACLE_PATH_H
 #define ORACLE_PATH_H

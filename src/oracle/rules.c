@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Names and sentences of the rules; switches without a default, so that a rule forgotten here is a compiler warning. */
 #include "tdsp/oracle_check.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Bounds are held against A at the departure itself, or, where a jump may be displaced, against A a little before and after it. */
 #include "oracle/within.h"
 

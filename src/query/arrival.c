@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* When does a departure arrive? Find its row, and take the bounds of arrival.h. */
 #include "query/arrival.h"
 #include "query/locate.h"

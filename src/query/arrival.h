@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * When does a departure arrive? Comparisons and additions only.
  *

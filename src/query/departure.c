@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * When must one leave to arrive by a? Comparisons and additions only.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The latest departure for an arrival whose cell is known. */
 #ifndef QUERY_DEPARTURE_H
 #define QUERY_DEPARTURE_H

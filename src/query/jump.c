@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Jumps of the travel time, and what closes there. */
 #include "query/jump.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where the travel time jumps between a row's two sides. */
 #ifndef QUERY_JUMP_H
 #define QUERY_JUMP_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The rare parts of finding a row: see locate.h. */
 #include "query/locate.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Sums and differences rounded outward as in base/round.h, to the bit, without a branch: for finite results that are not negative.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rows as they are stored: numbers, legs, opaque bytes. */
 #include "table/read.h"
 #include "tdsp/table.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Memory above the freestanding line. The only place that names the C library's heap. */
 #include "scene/allocator.h"
 

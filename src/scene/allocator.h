@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Memory above the freestanding line: everything goes through the caller's allocator, and may fail. */
 #ifndef SCENE_ALLOCATOR_H
 #define SCENE_ALLOCATOR_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A set of discs, ready to be searched. */
 #include "scene/disc_set.h"
 

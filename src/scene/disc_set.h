@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A set of discs in the frame, ready to be searched: both directions of time, and an index. `forward[k]` and `reverse[k]` are
  * the same disc, in the order of the index; `origin[k]` is its place where it came from.

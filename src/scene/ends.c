@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The ends of a journey among a scene's discs, and when they are covered.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Laws by callback, followed by pieces of polynomials.
  *

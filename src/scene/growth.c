@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Growth that is given as numbers: checked, and turned into pieces.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a user says of a disc's growth, as pieces of polynomials.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The spatial index: a binary tree of boxes around the discs as they are at time 0. A node also knows the largest rate below it, so that
  * at the (true) time t >= 0 everything under it lies within rate * t of its box, and within that of a circle around its middle.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Asking the spatial index. Every question has a region, tested against nodes from the root down: what lies under a node that does not
  * meet it is never looked at.

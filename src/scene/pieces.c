@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Appending pieces of growth laws. */
 #include "scene/pieces.h"
 

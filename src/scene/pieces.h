@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Growth laws being made: a list of pieces, of one disc after the other. */
 #ifndef SCENE_PIECES_H
 #define SCENE_PIECES_H

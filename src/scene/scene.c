@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Making, checking and reading scenes. */
 #include "scene/scene.h"
 

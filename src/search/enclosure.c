@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A wall about the destination: the argument is in enclosure.h. */
 #include "search/enclosure.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Questions about other ends than the scene's own: the solver holds those that it is asked about. */
 #include "search/solver.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The disc engine's loop: labels in, rides and legs out. The method is in engine.h. */
 #include "search/engine.h"
 

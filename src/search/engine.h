@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The disc engine: label setting on moving Steiner points, forwards or backwards in time.
  *

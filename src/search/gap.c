@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Finding gap events: the equations are in gap.h. */
 #include "search/gap.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Gap events: where a closing gap lets a robot out at the last moment.
  *

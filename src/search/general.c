@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes whose rates change: the description is in general.h. */
 #include "search/general.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes whose rates change: what the solver asks of the engine for them (src/growth), in the solver's own terms.
  *

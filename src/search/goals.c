@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Several goals that share one search: what they hold is in goals.h. */
 #include "search/goals.h"
 

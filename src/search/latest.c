@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The latest departure: A^-1(a) = sup { t : A(t) <= a }.
  *

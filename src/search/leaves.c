@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The legs that leave a chunk of a ride, or the start.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * One source and many destinations, or many sources and one destination, in one search.
  *

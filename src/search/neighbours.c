@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rings of neighbours: what they hold is in neighbours.h. */
 #include "search/neighbours.h"
 

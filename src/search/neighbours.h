@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The discs around a disc, in rings: looked up once, kept for as long as the set of discs stays the same.
  *

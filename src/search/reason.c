@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Why there is no way: the rule is in reason.h. */
 #include "search/reason.h"
 

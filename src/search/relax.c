@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Relaxation: the argument is in relax.h. */
 #include "search/relax.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Relaxation: the shortest path among some of the discs is a lower bound on the one among all. So start with few, find the path,
  * add the discs that it runs into, and repeat: a path that runs into none is the shortest of all, and where some discs alone leave no

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Following a ride, one chunk at a time. */
 #include "geom/spiral.h"
 #include "search/engine.h"

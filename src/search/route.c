@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * From the labels of a forward search to the legs of a path, in the user's units.
  *

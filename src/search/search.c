@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Label setting: labels are expanded in the order of time + bound. With a consistent bound that order never goes back, so a label
  * is final when it is taken.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The label-setting loop's own state. */
 #ifndef SEARCH_SEARCH_H
 #define SEARCH_SEARCH_H

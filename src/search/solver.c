@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The public face of the engine: earliest arrivals, paths, counters, and the oracle. */
 #include "search/solver.h"
 

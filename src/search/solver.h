@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A solver: one thread's workspace for one scene. */
 #ifndef SEARCH_SOLVER_H
 #define SEARCH_SOLVER_H

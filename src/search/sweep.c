@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What has been ridden already: the rule is in sweep.h. */
 #include "search/sweep.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The wedge that a chunk's tangent ray sweeps: its geometry is in wedge.h. */
 #include "search/wedge.h"
 

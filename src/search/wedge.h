@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a rider can see while it rides one chunk: the wedge that its tangent ray sweeps.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What closes where A jumps.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A solver as jumps and envelopes ask it: travel times with their errors, and the departures that are looked at. */
 #ifndef SHAPE_ASKED_H
 #define SHAPE_ASKED_H

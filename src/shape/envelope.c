@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The pieces of A: the sequence of the fastest paths' combinatorial forms.
  *

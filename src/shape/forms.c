@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A new form is written behind the rides of all others and looked for among them: there are few forms, and most questions come from the piece
  * that was met last, so the search begins with the latest.

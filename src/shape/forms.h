@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The combinatorial forms of paths, each kept once and known by a number. */
 #ifndef SHAPE_FORMS_H
 #define SHAPE_FORMS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * All jumps of A, by division of the departures.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What must hold between the numbers of a table whose sections are known to lie inside its bytes. */
 #ifndef TABLE_CHECK_H
 #define TABLE_CHECK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A curve that every reader can evaluate.
  *

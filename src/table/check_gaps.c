@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gaps of jumps: rows in order, which a binary search rests on, and finite numbers. */
 #include "base/round.h"
 #include "table/check.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The guides, entry by entry: a wrong one would give wrong answers. What each cell's start must be is counted anew along the rows.
  *

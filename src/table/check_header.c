@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The header's values, one by one and against each other. */
 #include "base/round.h"
 #include "base/text.h"

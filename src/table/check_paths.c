@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Paths and opaque bytes: each row's part follows the part of the row before, and a path starts at the row's departure, runs
  * forward in time, and is over by the arrival that the row certifies.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The table format's numbers: docs/format.md in C. Reader and writer both take them from here.
  *

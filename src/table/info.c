@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The header, as the caller sees it. */
 #include "table/guide.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Reading matrices: everything is checked once, from the outside in, so that each check may rely on the ones before.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The matrix format's numbers: docs/format.md in C. Reader and writer both take them from here. */
 #ifndef TABLE_MATRIX_H
 #define TABLE_MATRIX_H

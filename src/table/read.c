@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Waypoints, arcs and curves put together to legs. With one waypoint at a joint leg k goes from waypoint k to k + 1, with two from 2k to 2k + 1. */
 #include "table/read.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See bernstein.h. */
 #include "verify/bernstein.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Polynomials on [0, 1] by their Bernstein coefficients: p(x) = sum b[k] C(n, k) x^k (1 - x)^(n - k).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The check of one path, for callers that check many against one scene: the index is built once. */
 #ifndef VERIFY_CHECK_H
 #define VERIFY_CHECK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See clearance.h for the bounds. */
 #include "verify/clearance.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The least clearance of a motion to discs that grow: f(t) = |x(t) - O| - R(t), over the whole motion. Where the rate changes, and on curves, stretch.h says how;
  * the rest is about R + V t.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See curve.h. */
 #include "verify/curve.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Curves as motions: the verifier's own reading of TDSP_LEG_CURVE in tdsp/types.h.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See motion.h for the derivation. */
 #include "verify/motion.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A leg as a motion in the plane: the verifier's own reading of tdsp/types.h, written without a look at the engine's.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See nearby.h for the invariant. */
 #include "verify/nearby.h"
 

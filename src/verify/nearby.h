@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Inflated discs in a balanced tree of boxes, to leave out at once all those that cannot come near a leg.
  *

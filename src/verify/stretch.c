@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See stretch.h for the bounds. */
 #include "verify/stretch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The least clearance of a motion to a disc while it grows by one polynomial R: f(t) = |x(t) - O| - R(t).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See swell.h. */
 #include "verify/swell.h"
 

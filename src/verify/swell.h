@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How the scene's discs grow, as the verifier reads it: pieces of polynomials, R(t) = sum c[k] (t - start)^k from a piece's start to the next one's. R never falls
  * (the scene refuses other laws, and what lies beyond tdsp_scene_valid_until() is not verified).

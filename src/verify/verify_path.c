@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The check of a path, after what include/tdsp/verify.h states.
  *

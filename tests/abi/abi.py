@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The binary interface, held to its record.
 
     abi.py check BUILD CC FLAG...      compare

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The binary interface: the exported symbols and the layout of public types, compared with their record.
 ABI = $(PYTHON) tests/abi/abi.py $(1) $(BUILD) $(CC) $(CFLAGS)
 .PHONY: abi-record

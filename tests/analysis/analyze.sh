@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Static analysis: any finding fails. What is let pass stands, with its reason, in tests/analysis/cppcheck.txt and in .clang-tidy.
 #   analyze.sh cppcheck|gcc|clang-tidy FILE...
 set -uo pipefail

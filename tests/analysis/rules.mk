@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Static analysis. `make check` analyses layers 0 to 2, which read bytes from anywhere, by gcc and cppcheck; `make analyze` everything, by clang-tidy too.
 ANALYZE := tests/analysis/analyze.sh
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Measure the library and write docs/results.md, its CSV files and its pictures. Python's standard library, and gnuplot for the pictures.
 
     bench.py --build build [--only SECTION ...] [--short] [--render] [--scenes DIRECTORY] [--peers DIRECTORY] [--docs docs]

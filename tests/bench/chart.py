@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pictures with logarithmic axes, drawn by gnuplot: one or more panels in a grid."""
 import dataclasses
 import math

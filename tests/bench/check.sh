@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The bench can be run: a short version of it measures every section, and leaves a page, CSV files with rows and pictures.
 #   check.sh BUILD
 # It uses only what the project has itself, whatever lies beside the checkout.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the sections of the bench share: programs and their limits, CSV files, the machine."""
 import csv
 import json

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Fixed work for the gates: how many instructions does each hot path take? tests/bench/gates.py runs this under callgrind,
  * whose counts repeat exactly, and compares them with the record. Only the work between COUNT and COUNTED is counted, what

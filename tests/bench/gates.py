@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Instruction counts of the hot paths, compared with the record. Python's standard library only.
 
     gates.py check|record GATES RECORD SCENES

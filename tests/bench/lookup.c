@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How long one look-up in a table takes: nanoseconds for an arrival, and for a position on the way.
  *     lookup TABLE

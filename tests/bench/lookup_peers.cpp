@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Finding the row of a departure: the library beside the ways in which one would search a sorted array oneself.
  *     lookup_peers [REPEATS [ROWS...]]       CSV on standard output: rows,kind,queries,ns_median,ns_low,ns_high

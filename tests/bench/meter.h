@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* An allocator that knows how much it has handed out. */
 #ifndef BENCH_METER_H
 #define BENCH_METER_H

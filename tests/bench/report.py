@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """docs/results.md and its pictures, from the CSV files of the bench."""
 import math
 import statistics

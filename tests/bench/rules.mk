@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Measuring: what `make bench` times beside its peers, and the gates.
 # Everything in tests/bench with a main() is a program of its own; the rest is shared by them.
 BENCH_PROGRAMS := $(addprefix $(BUILD)/tests/bench/,$(notdir $(basename $(shell grep -l '^int main' $(wildcard tests/bench/*.c tests/bench/*.cpp)))))

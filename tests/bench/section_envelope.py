@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Pieces of the arrival: the construction of N^2 pieces, and the layout that comes to mind first, which has few."""
 import time
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Rows and oracle calls over epsilon, and what a second thread is worth."""
 import math
 import os

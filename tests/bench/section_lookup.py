@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Looking up rows, beside the ways in which one would do it oneself."""
 import csv
 

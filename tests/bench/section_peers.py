@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a user would take instead, on the same worlds of 1,000 discs, in the same run."""
 import json
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Real scenes: what a question costs, and tables at 1 %."""
 import json
 

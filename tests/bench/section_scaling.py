@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Generated worlds of more and more discs."""
 from common import SOLVE_HEADER, Failed, note
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What a question costs: prepares one world, asks it in every way, and prints a line of CSV for each.
  *     solve SHARE OPERATIONS file SCENE

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A baseline: the earliest arrival by the textbook's tangent graph, with the library's geometry and none of its search.
  *     tangents eager|lazy SCENE DEPARTURE       CSV on standard output: arrival,seconds,legs,tests,rides

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Timing by repetition. One run is made beforehand to warm caches and to see how long it takes; what is quick is then
  * repeated for a while, what is slow counts as it is. The median says what it takes, the quartiles how far to trust it.

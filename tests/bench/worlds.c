@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See worlds.h. A near world is a far one with its ends moved, so that both have the same discs. */
 #include "bench/worlds.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The generated worlds that are measured: the kinds of `tdsp generate`, and two in which there is no path. The same kind,
  * count, span and seed give the same world.

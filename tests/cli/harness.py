@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Run the command `tdsp` and say what it did. Each test has a directory of its own and is a function whose name says what it proves.
 
 The command is $TDSP, or build/tdsp. Prints one PASS or FAIL a test and a last line "N passed, N failed".

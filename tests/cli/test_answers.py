@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Exact answers: arrivals, departures and paths, as text and as JSON."""
 import json
 import math

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Tables as C source: it compiles, warns of nothing, and holds the table's bytes."""
 import os
 import pathlib

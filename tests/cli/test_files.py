@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Files and the terminal: what cannot be read or written, what survives failure, what Ctrl-C leaves behind, and when there is a progress bar."""
 import os
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Made-up scenes: valid, as large as asked for, the same for the same seed, and of their kind."""
 import itertools
 import json

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What the command makes of input that is too large, too deep, too far or meant to harm: the right status and message, in little time and memory."""
 import json
 import os

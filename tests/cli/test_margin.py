@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """tdsp margin, and what tdsp depart says of limits."""
 import math
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Matrices, and other ends than a scene's own."""
 import pathlib
 import sys

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What can be wrong with outputs and arguments of each command: a full disk, odd units, words that are none, and answers at the edges."""
 import json
 import os

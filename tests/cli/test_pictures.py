@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Pictures: whole SVG and PNG files of scenes and tables."""
 import os
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The reader of scene files: everything wrong is answered with the file, the place and the reason, and everything right is read rightly."""
 import json
 import pathlib

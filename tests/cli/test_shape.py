@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The shape of the arrival: its jumps and its pieces."""
 from harness import GAP_CLOSES, LAST, SCENES, done, expect, expect_equal, expect_near, fails, main, scene, test, write
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """What the command says of itself, and what it says when it is called wrongly."""
 import re
 

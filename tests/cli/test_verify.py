@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Verification: good tables and paths pass, and every kind of damage is found."""
 import json
 import pathlib

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Answers within a share of the best: `tdsp arrive --within` and `tdsp path --within`."""
 import json
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What clang's coverage says of the sources, with the instantiations of an inline function taken together.
 
 An inline function of a header is compiled into each file that includes it, and each of these has counts of its own; it is

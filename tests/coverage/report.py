@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Coverage by layer, and its judgement.
 
     report.py --profiles DIRECTORY [--strict-only] [--list] OBJECT...

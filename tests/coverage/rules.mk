@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Coverage of branches and conditions, by clang: every test program and every script of the command run in a build of its own.
 # `coverage` measures all of it; `check` measures the freestanding line by the unit tests, which must cover it by themselves.
 ifdef COVERAGE

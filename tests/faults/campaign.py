@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Run test programs whose allocations fail (tests/faults/inject.h) and add up what came of it: one "ok" or "not ok" a program, and the sums.
 
     campaign.py [--jobs N] [--report FILE] PROGRAM...

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every public function above the freestanding line is tried without memory, or is held to needing none (tests/unit/test_no_memory*.c).
 
     check_calls.py BUILD

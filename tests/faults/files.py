@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Every operation of the command on files fails in turn, is done in part, or is where a signal comes (tests/faults/shim.c): what is told, what
 survives, what is left behind. SHIM_EVERY=N: of the steps of long work every N-th only.
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Wrapped allocations: which fail, and in whom. */
 #include "faults/inject.h"
 

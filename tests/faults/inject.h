@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Failing the library's allocations under a CMocka test, each in a process of its own.
  *

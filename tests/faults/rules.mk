@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Faults: allocations that fail, files that cannot be read or written, and interruptions.
 #
 # Every test with CMocka's runner is linked a second time, with ours and the allocator's functions wrapped (inject.h).

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * In the place of CMocka's runner: each test of a group in a process of its own, with its allocations failing in victims.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The system's answers to the command, changed: the linker's --wrap puts these functions before the C library's. Operations are numbered from 1.
  *

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run fuzzing programs built with afl-clang-fast for a while each, from the inputs that are kept; fails when one of them crashed or hung.
 #   afl.sh SECONDS BUILD NAME...
 # What is found stays in BUILD/runs/NAME/default; the next run goes on from there. The numbers of all programs are written to BUILD/report.csv.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Check that every public function is reached by a fuzz target: really run, by the inputs that are kept.
 
 usage: check_reached.py BUILD

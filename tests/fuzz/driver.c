@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Runs a target over files and all files of directories, in any build: what libFuzzer does, without the fuzzing.
  *   PROGRAM [--reached FILE] PATH...

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A table, and a matrix, of a whole scene from bytes: what is built opens, the verifier takes it, and its intervals hold the solver's own answers.
  */

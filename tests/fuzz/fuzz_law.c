@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Growth laws that do whatever the bytes say: jump, fall, run to infinity, answer with no number, differ from one call to the next. Making a scene of them is refused, or
  * gives one whose radii never fall and whose questions are answered; and the parts of any scene say the same of it as it was given.

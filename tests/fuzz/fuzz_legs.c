@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Legs of any numbers at all, as a caller may hand them in: moving along them, moving them in time, verifying them, and asking for their margin must come back with an
  * answer or a refusal. A position along legs that the verifier finds nothing wrong with is a number.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * An oracle whose every answer comes from the input: what it declares, its statuses, its numbers, its paths. The conformance kit and the sampler must
  * come back with a status whatever it says, and what the sampler calls a table must be one.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Any text at all as a path file: the reader must refuse it with a message, or hand out legs that the verifier can judge. */
 #include <math.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What is made of the answers for a whole scene from bytes: jumps, pieces, deadlines with their reasons, slack, and how far growth may rise. Each claim is put to the solver
  * or the verifier again.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Any text at all as a scene file: the reader must refuse it with a message or hand out a scene that can be solved. Scenes of a few discs are
  * solved, whatever their numbers are: an arrival is never earlier than the straight line allows, and a latest departure keeps its word.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The public search on a graph of bytes: Dijkstra and A* must find the distances that relaxing all edges until nothing changes finds, whatever the order of labels, and come
  * back with what `expand` returns. Bounds that break their promise, times that are no numbers and limits must do no worse than lose labels.

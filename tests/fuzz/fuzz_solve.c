@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A whole scene from bytes: solved forwards, backwards, within a share and by each method, and for other ends; every path goes to the verifier, and answers that
  * must agree are compared.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Any bytes at all: opening must refuse them or every answer must hold together; and bytes that change after opening must
  * not lead a read astray.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Any text at all as a list of times, as `tdsp query --times` reads it: a message, or times that are finite, not negative, as many as there are lines with a number,
  * and the same when they are written out and read again.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What every target takes apart: the bytes of one input, and what to do when something is wrong.
  *

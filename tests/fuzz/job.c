@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See job.h. */
 #include "job.h"
 

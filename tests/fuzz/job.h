@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A scene from bytes with a solver, the question asked in every way, and what an answer is held to.
  *

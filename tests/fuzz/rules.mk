@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Fuzzing: what reads bytes or text from nowhere, and the whole library behind scenes from bytes. A target is any fuzz_*.c here; tests/fuzz.sh runs them under
 # libFuzzer, tests/fuzz/afl.sh under AFL++, and driver.c runs them over the inputs that are kept, in every build.
 # In the check each target runs so many inputs, not so long: what it tries does not depend on how fast the machine is.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See world.h. The journey is laid out from (-1, 0) to (1, 0) at speed 1 first; units and a shift come last, as they round. */
 #include "world.h"
 

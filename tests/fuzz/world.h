@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A scene from bytes: twelve bytes for the journey and for what is asked, then eight for each disc, so that changing, dropping or copying a record changes one
  * disc and leaves the others.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Files that a reader must refuse: a sound table or matrix with one rule of docs/format.md broken, and checksums that fit unless they are the rule.
 
     refuse.py            write refused/NAME and the list of the statuses they must give, refused.txt

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Each public header compiles alone, first in its file and twice, in C99 and in C++, without a warning under -Wpedantic; and
 # the same for the headers inside the library, in C99.
 #   check.sh C-COMPILER C++-COMPILER

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """A reader of matrices written from docs/format.md alone, section 12.
 
     read_matrix.py FILE     what it holds

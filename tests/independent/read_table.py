@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """A second reader of table files, written from docs/format.md alone: checks a file and prints everything in it as JSON.
 
     read_table.py FILE [--arrive T]... [--depart A]...

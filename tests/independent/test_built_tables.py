@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Tables that the command builds, read by the second reader: both must say the same of every row, answer and path.
 
 The command is the one named by TDSP, else build/tdsp.

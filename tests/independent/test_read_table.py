@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The second reader against tables whose contents were written down by hand, and against bytes that it must refuse."""
 import json
 import pathlib

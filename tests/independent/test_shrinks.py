@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The moment from which a polynomial radius shrinks: the command against Sturm's sequences in exact fractions.
 
 The rates have single roots, roots of order two (where a radius stands still and grows on), and pairs so close that the radius shrinks for a

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Install into an empty directory, build a program against it by pkg-config, shared and static, run both, uninstall.
 #   check.sh MAKE BUILD
 set -uo pipefail

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a user's first program does: needs the installed headers and library only. */
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Take each condition of the freestanding line always, and never, and see whether a unit test notices.
 
     mutate.py --build DIRECTORY [--jobs N] [--sample N] [--only PATTERN] PROGRAM...

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A test program as a mutant sees it: its conditional instructions, where in the sources they stand, and how to turn each for good.
 
 A conditional instruction is a jump, a set or a move. To take it always, or never, is a change of its own bytes that leaves its

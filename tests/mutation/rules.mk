@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Mutation of branches: the freestanding line and its tests, compiled so that each condition is an instruction of its own, are changed one condition at a time.
 MUTATION := $(BUILD)/mutation
 MUTATION_CC := gcc

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The arithmetic of paths, done again with a hundred digits.
 
     digits.py BUILD [--scenes DIR] [--departures N]

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See hard.h. Made from sums, products and square roots, so that a seed gives the same scene everywhere. */
 #include "numerics/hard.h"
 

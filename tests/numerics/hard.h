@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes in which arithmetic is hard: what is decided lies within rounding, or what is solved is badly conditioned. Few discs, for the slow solver
  * has to answer them too.

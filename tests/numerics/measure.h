@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How far the library's answers to one scene are from those of the precise solver (slow/precise.h), as docs/numerics.md states them:
  *

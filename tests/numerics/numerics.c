@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The library's numbers beside precise ones (docs/numerics.md).
  *

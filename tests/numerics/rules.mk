@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Numbers: the library's answers beside those of the slow solver in long double, a bound beside each error (docs/numerics.md).
 NUMERICS_SCENES ?= 60
 NUMERICS := $(BUILD)/tests/numerics/numerics

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Everything that the reader says about files, to the bit: run on any machine, the output must be the same. It needs the reader's library only
  * (layers 0 to 2), so it runs where nothing else of the library does.

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run a program in the emulator named by EMULATOR; a script by its interpreter, on this machine.
 #   emulate.sh PROGRAM|INTERPRETER [ARGUMENT]...
 case $1 in

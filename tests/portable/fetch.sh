@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Debian packages of another machine, unpacked into a folder and not installed: what the tests of that machine are linked with.
 #   fetch.sh ARCHITECTURE FOLDER      arm64, s390x, armhf, ...
 # apt works with lists and states of its own, in FOLDER/apt, so that this machine's packages stay as they are, and no root is needed.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """The reader on other machines: what it says of golden files, sound ones and broken ones, is what was recorded, to the bit.
 
     reader.py check BUILD [MACHINE...]      on this machine and others, each emulated

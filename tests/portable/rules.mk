@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Other machines: aarch64, s390x (big-endian) and armhf (32 bits), cross-compiled and emulated.
 #   make portable                       everything on all three
 #   make portable MACHINES=s390x        on one

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Tables built on one machine, read and verified on the others.
 
     tables.py BUILD COMMAND...      COMMAND: the command of another machine, emulated

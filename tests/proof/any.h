@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Values of which nothing is known, for the programs that the proof runs. */
 #ifndef PROOF_ANY_H
 #define PROOF_ANY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Functions of the C library that Eva knows nothing of, as functions that may return anything. */
 #include <math.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Prove by Frama-C's Eva that no input up to a length leads the table reader into undefined behaviour. Python's standard library only.
 
     prove.py OUT LENGTHS [--machine M]... [--jobs N]     LENGTHS: "0-400" or "96,400"; prints "ok ..." or "not ok ..." lines

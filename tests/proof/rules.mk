@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Proof: what Frama-C's Eva shows of the table reader for every input up to a length. Apart from `make check`: Frama-C takes 290 MB, and a length up to minutes.
 PROOF_LENGTHS ?= 0-400
 PROOF_MACHINES ?= x86_64 x86_32

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the proof of the table reader runs: every table of LENGTH bytes, and every question to it.
  *

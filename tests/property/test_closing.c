@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where a gap closes A jumps, and rounding decides on which side of the jump a departure is that is as near to it as that. It must be one of the two sides: never a third
  * arrival, and never none where both sides have one.

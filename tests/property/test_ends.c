@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Other ends among the discs of one prepared scene, on random scenes: against a scene that is made for those ends, whose frame is another one.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Real scenes against the answers of an unrelated solver: arrivals within 1e-8, departures within 1e-7, each path verified.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A world without discs or roads: a grid that is flooded cell by cell while mud makes each step slower. The same sampler builds its tables.
  *

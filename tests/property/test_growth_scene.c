@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the scene makes of a growth law is that law. */
 #include "support/cmocka_all.h"
 

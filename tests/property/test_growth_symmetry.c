@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What A(t) may not depend on whatever the growth law, what must never fall,
  * and laws between laws. */
 #include "support/cmocka_all.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Margins over random scenes: against raising the rates by hand, against the verifier, and against the slow solver. */
 #include "support/cmocka_all.h"
 

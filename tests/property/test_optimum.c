@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The engine against the slow solver, and every path against the verifier. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The solver's oracle before the conformance kit: random scenes of every mix, and real ones. The kit looks closest where arrivals jump and where
  * departures end, and holds both directions against each other there.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the paper leaves to get right (docs/math/gaps.md): for each gap its literal version gives a wrong answer here, and the library the right one.
  *

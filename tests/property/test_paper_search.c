@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the paper's search leaves to get right (docs/math/gaps.md): each rule in its careless form, as support/literal.h has it, gives a wrong
  * answer here, and the library the right one. The scenes are those of the chapter, and a real one where $TDSP_DATA (or ../shared/data) has it.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The road network of the examples, as it is shown: its own source is part of this test, with its main() renamed.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shape of A(t): no jump is missed, every jump has its gap, pieces say what paths do, and the number of pieces grows as N^2. */
 #include "support/cmocka_all.h"
 

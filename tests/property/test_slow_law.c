@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The slow solver for any growth law, held to what is known without it. */
 #include "support/cmocka_all.h"
 

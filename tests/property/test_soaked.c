@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the soak (tests/soak) found, each by itself in a scene that its shrinker made. */
 #include "support/cmocka_all.h"
 

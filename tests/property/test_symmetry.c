@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What A(t) may not depend on, and what must never fall. */
 #include "support/cmocka_all.h"
 

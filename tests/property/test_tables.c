@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tables of random scenes: what is built is accepted by the verifier, and keeps its promise at random departures. */
 #include "support/cmocka_all.h"
 

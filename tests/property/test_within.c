@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Arrivals within a share of the best, on random scenes: against the exact engine, the slow solver and the verifier, and against themselves in other
  * coordinates. So few discs are always searched all together, with heavier bounds.

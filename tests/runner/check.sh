@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The tests' own runner is tested: it counts rightly what ends well, badly, early, or with 256 failures.
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Misbehaves as its argument says: what tests/run.sh must not take for success. */
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The bits of many answers, one a line: built by other compilers, with other optimisation, the output must be the same to the last bit.
  *

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Results are the same to the bit whatever the compiler and its optimisation.
 SAME = $(PYTHON) tests/same/same.py $(1) $(BUILD) $(PKG_CONFIG) -std=c99 $(CPPFLAGS) $(TEST_CPPFLAGS)
 .PHONY: same

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Results do not depend on the compiler and its optimisation: the same answers to the last bit.
 
     same.py short|full BUILD PKG-CONFIG FLAG...

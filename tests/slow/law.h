@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A second opinion on A(t) for any growth law: slow, written for its argument, for a handful of discs. It shares no code with the
  * library, nor with the slow solver for discs of one rate (slow.h), whose argument it extends, but how a zero is bracketed.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Nodes are numbered row by row; the journey runs from the node (behind, aside) along the row. */
 #include "slow/law_grid.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * An upper bound on A(t) by nothing but straight steps on a grid: Dijkstra over the nodes of a square grid around the journey, from each to
  * those near it in some fifty directions, where the motion, sampled closely, stays clear of every disc. To be early at a node is never worse:

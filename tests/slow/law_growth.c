@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The library's discs as this solver sees them. */
 #include <math.h>
 

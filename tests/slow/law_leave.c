@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where a ride can be left: the miss is the angle from the robot's own direction to that of the line to a target. A leave is a change of
  * its sign along the ride; at a kink where the rate falls it is one along the directions between the two tangents. An interval over which

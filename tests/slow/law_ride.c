@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Riding: the robot moves with R' outward and sqrt(1 - R'^2) along the boundary, so d(angle) / dt = sqrt(1 - R'^2) / R whatever the ride.
  * The integral is tabulated for each disc: panels so short that eight points of Gauss integrate each to rounding. Where R' reaches 1, and

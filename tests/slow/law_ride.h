@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rides: where they are, how far they go, and where they can be left. */
 #ifndef SLOW_LAW_RIDE_H
 #define SLOW_LAW_RIDE_H

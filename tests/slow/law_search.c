@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The search of law.h: rides in the order of time plus the straight way left. */
 #include <math.h>
 #include <stdlib.h>

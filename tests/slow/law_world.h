@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The world of law.h: the source is the origin, the robot's speed is 1, the journey's length is 1 (or what is given where the journey
  * has none). Discs carry the robot's radius. All about one disc and one line.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The slow solver (slow.h), counting in long double: where that has more digits than double, as on x86, it tells what A is far beyond what
  * the library promises. A touch is no collision as long as it is no deeper than its own rounding.

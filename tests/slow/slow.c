@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The search of slow.h: rides in the order of time plus the straight way left. */
 #include "slow/slow.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A second opinion on A(t): slow, written for its argument and not for its speed, for a handful of discs. It shares no code
  * and no formula for two discs with the library.

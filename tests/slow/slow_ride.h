@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What can be done on a ride: how far it goes, and where it can be left. */
 #ifndef SLOW_RIDE_H
 #define SLOW_RIDE_H

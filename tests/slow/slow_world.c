@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Geometry of one point and one disc; nothing here knows two discs.
  *

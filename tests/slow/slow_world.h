@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The slow solver's world: the source is the origin, the robot's speed is 1, the journey's length is 1 (or what is given
  * where the journey has none). Discs carry the robot's radius.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See case.h. */
 #include "soak/case.h"
 

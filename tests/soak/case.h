@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * One scene, one departure, one check: what a check asks with, and how it says what is wrong. A check is a function of the case alone, so that it can be
  * put again to a scene that the shrinker made smaller.

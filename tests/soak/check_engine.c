@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Other ways to the same number: the other engine, the slow solvers, one search for many, and a table. */
 #include "soak/checks.h"
 

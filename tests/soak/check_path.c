@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Paths, by the library's verifier and by samples. The samples share nothing with it: a place on a leg is computed from what tdsp/types.h says of
  * legs, and measured against the discs one by one.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What no answer may depend on. Turning by right angles, and other units by powers of two, round nothing: every bit must stay. Everything else
  * rounds the scene, or asks in another order.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What holds between departures: the travel time never falls, and the latest departure is the inverse of the earliest arrival. */
 #include <math.h>
 

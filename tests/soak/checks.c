@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See checks.h. */
 #include "soak/checks.h"
 

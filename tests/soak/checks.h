@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What every scene goes through: each check by itself, how often, and for how large scenes it is affordable. */
 #ifndef SOAK_CHECKS_H
 #define SOAK_CHECKS_H

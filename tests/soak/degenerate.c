@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes that random numbers never make: every maker below starts from something that holds exactly (a line that touches three discs, two boundaries that
  * meet where and when the robot is) and works back to radii at time 0; rounding then puts the scene on one side of it or on the other.

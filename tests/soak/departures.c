@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Mistakes sit where something changes, so half of the departures are there: at the moment a scene was made for, where the source is covered, after the
  * last departure of all, at a jump; each to the bit, by a bit less or more, or by next to nothing.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Which departures a scene is asked about. */
 #ifndef SOAK_DEPARTURES_H
 #define SOAK_DEPARTURES_H

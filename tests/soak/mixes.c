@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See mixes.h. Most scenes are small: a small one shows a mistake as well as a large one, and a million of them are affordable. */
 #include "soak/mixes.h"
 

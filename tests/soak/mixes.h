@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Random scenes of all mixes: those of support/random_scene.h and support/random_growth.h, and others that are degenerate on purpose. The same
  * seed and number give the same scene on every machine with the same C library.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # The soak: random scenes of all mixes through all checks; tests/soak/soak.py spreads them over processes and keeps what was done.
 SOAK_SCENES ?= 1000000
 SOAK_SEED ?= 1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes of the soak: discs of any law in one array, so that all mixes go through the same checks, and so that a scene can be moved, made tighter
  * or looser, taken apart by the shrinker and written as a scene file.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See scene_json.h. What is read was written here, or by hand: it is not held to the rules of the command's reader. */
 #include "soak/scene_json.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes of the soak as scene files. */
 #ifndef SOAK_SCENE_JSON_H
 #define SOAK_SCENE_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Each step changes one thing (a disc less, a number rounder) and is kept when the same check still fails by a hundredth of what it did, at the same
  * departures or at others that the changed scene offers: a jump moves with the numbers.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The shrinker: a scene in which a check fails becomes the smallest and plainest in which the same check still does. */
 #ifndef SOAK_SHRINK_H
 #define SOAK_SHRINK_H

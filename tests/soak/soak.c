@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The soak: random scenes of all mixes through all checks. A scene is made from a seed and its number alone, so any part of a run can be done by any
  * process, and one scene again by itself. tests/soak/soak.py spreads a million of them over processes.

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
 """Spread the soak over processes, in parts that are kept: a run that was stopped goes on where it stopped.
 
   soak.py --program build/tests/soak/soak --out build/soak --scenes 1000000 --seed 1 --jobs 2

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Assertions on doubles for CMocka, whose own assert_float_equal compares floats and prints six digits.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Repeatable pseudo-random numbers for tests: SplitMix64, one state a test, seeded by the test. */
 #ifndef SUPPORT_CHANCE_H
 #define SUPPORT_CHANCE_H

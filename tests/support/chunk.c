@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Random chunks among random discs. */
 #include "support/chunk.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A chunk of a ride, or a start, among random discs, in either direction of time: what a rider could see, by solving for every leg there is.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* CMocka wants these before it. */
 #ifndef SUPPORT_CMOCKA_ALL_H
 #define SUPPORT_CMOCKA_ALL_H

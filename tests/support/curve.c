@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The integral of sqrt(v^2 - R'^2) / R by Gauss and Legendre's rule with five nodes on each of 64 parts, in long double. */
 #include "support/curve.h"
 

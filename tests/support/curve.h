@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rides on a disc that grows by a polynomial, as curves: the angle by numerical integration, nothing from the library. */
 #ifndef SUPPORT_CURVE_H
 #define SUPPORT_CURVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See example.h. */
 #include "support/example.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene of examples/, with a solver, for tests that ask it questions. */
 #ifndef SUPPORT_EXAMPLE_H
 #define SUPPORT_EXAMPLE_H

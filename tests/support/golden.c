@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The numbers are chosen so that every sum and difference in the tests is exact, but for a few tenths that are not. */
 #include "support/golden.h"
 

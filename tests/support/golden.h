@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Small tables made by hand, one for each way a table can be. Their bytes stand in tests/independent/golden/NAME.tdsp and what is
  * in them, written by hand too, in NAME.json.

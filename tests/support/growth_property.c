@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See growth_property.h. */
 #include "support/growth_property.h"
 

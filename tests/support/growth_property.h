@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Properties over random scenes of every growth law, as property.h has them for discs of one rate, and with its environment:
  * TDSP_PROPERTY_SCENES multiplies the number of scenes (default 1), TDSP_PROPERTY_SEED moves all seeds (default 0),

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See grown_solved.h. */
 #include "support/growth_solved.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The library's answers in random scenes of every growth law. */
 #ifndef SUPPORT_GROWTH_SOLVED_H
 #define SUPPORT_GROWTH_SOLVED_H

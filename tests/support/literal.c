@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See literal.h. Times are in units of |sd| / speed, lengths in units of |sd|; backwards, times and rates are negated. */
 #include "support/literal.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The search among growing discs as one writes it down first: a graph whose places are the ends of tangents, explored in the order of time.
  *

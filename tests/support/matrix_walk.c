@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See matrix_walk.h. */
 #include "support/matrix_walk.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Matrices in tests: their checksums put right after a change, and every read that there is. */
 #ifndef SUPPORT_MATRIX_WALK_H
 #define SUPPORT_MATRIX_WALK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Each mutant's callback asks the toy and then changes one thing. The toy is a mutant's first member, so one context serves both. */
 #include "support/mutant_oracles.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Oracles that break one rule each: a sound toy of three pieces with jumps between, in which one member is spoilt.
  */

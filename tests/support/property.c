@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* See property.h. */
 #include "support/property.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Properties over random scenes: a loop over every mix, a solver for each scene, and the scene in full when a property fails.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Laws are made for the journey from (-1, 0) to (1, 0) of a robot with speed 1, which takes 2, and for times up to SPAN; afterwards the scene is
  * turned, scaled and moved. A polynomial is made as its rate, a product of factors that are not negative up to SPAN at least or up to where

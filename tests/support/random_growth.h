@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Seeded scenes of discs with every growth law, as random_scene.h has them for discs of one rate. The same seed gives the same scene on every
  * machine.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Every mix is a way to place discs around the journey from (-1, 0) to (1, 0) of a robot with speed 1; afterwards the scene
  * is turned, scaled and moved, because axis-parallel scenes hide mistakes of angle, and in part of the scenes it is left as

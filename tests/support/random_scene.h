@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Seeded scenes for property tests: mixes that force what is rare. The same seed gives the same scene on every machine: only
  * integer arithmetic and sums, products and square roots of doubles make them.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 #include "support/refusals.h"
 
 #include "support/cmocka_all.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A question asked with a heap that refuses its first call, then its second, and so on. */
 #ifndef SUPPORT_REFUSALS_H
 #define SUPPORT_REFUSALS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Random rows have flat stretches, slopes, jumps, and departures that are neighbouring doubles. */
 #include "support/sample.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tables to look things up in, together with the rows they were made of. */
 #ifndef SUPPORT_SAMPLE_H
 #define SUPPORT_SAMPLE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Worlds without memory. */
 #include "support/scarce.h"
 

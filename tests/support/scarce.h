@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Public functions without memory: worlds to call them in, a heap whose allocations fail, and what a call said, to be compared.
  */

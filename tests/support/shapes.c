@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Values by the powers of time, angles by Gauss's rule: the description is in shapes.h. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The discs of random scenes as the engine for changing rates sees them, and what they are by their pieces alone, in more digits: nothing
  * from that engine.

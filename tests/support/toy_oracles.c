@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Oracles in closed form. The inverse solves each piece's parabola in long double, from the last piece backwards. */
 #include "support/toy_oracles.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Oracles whose function is known in closed form: pieces of parabolas with jumps between them. Each can be made forward-only, noisy, mistaken
  * about where it jumps, or wrong in ways that a builder must notice.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tables over toy oracles. All checks are made in long double against the closed form. */
 #include "support/toy_tables.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Tables over toy oracles: a catalogue of toys, building, and checking what a table says against the closed form. */
 #ifndef SUPPORT_TOY_TABLES_H
 #define SUPPORT_TOY_TABLES_H

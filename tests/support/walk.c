@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rows of large tables are walked in steps, so that a table of any size takes about the same time. */
 #include "support/walk.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every read that a table offers, and what must hold between the answers of one that was opened. */
 #ifndef SUPPORT_WALK_H
 #define SUPPORT_WALK_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene with a solver, for tests that ask it questions. */
 #include "support/world.h"
 

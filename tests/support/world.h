@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene with a solver, for tests that ask it questions. */
 #ifndef SUPPORT_WORLD_H
 #define SUPPORT_WORLD_H

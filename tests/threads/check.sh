@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Run the threads' jobs, and see that the sanitizer would have found a race.
 #   check.sh PROGRAM ROUNDS
 set -uo pipefail

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Threads: what the headers promise to them, under the thread sanitizer.
 THREADS_PROGRAM := $(BUILD)/threads/threads
 THREADS_SOURCES := tests/threads/threads.c tests/support/random_scene.c $(LIB_SOURCES)

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What the headers promise to threads, one promise after the other: many threads do the same at once, on what they may share. Each must get what one thread alone
  * gets, and the thread sanitizer, with which this and the library are compiled, must find no race.

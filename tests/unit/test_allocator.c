@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Memory: sizes that overflow, growth, and what a failure leaves. */
 #include "support/cmocka_all.h"
 

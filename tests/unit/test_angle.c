@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Cheap angles against the C library's: the stated errors, everywhere. */
 #include "support/cmocka_all.h"
 

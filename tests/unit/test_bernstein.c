@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Polynomials by Bernstein coefficients, against their powers. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The base: bytes, sizes, outward rounding, hashes, text. */
 #include "support/cmocka_all.h"
 

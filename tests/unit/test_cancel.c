@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Everything with a progress callback is cancelled at each of its calls: it says so at once, hands out nothing, keeps nothing, and answers in full afterwards. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Straight motions and rides against discs: what is said of the first contact, against dense sampling of the distance. */
 #include "support/cmocka_all.h"
 

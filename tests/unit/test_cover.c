@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Discs that can never matter: what is dropped is enclosed by what is kept, for good; and dropping changes no answer. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Curves in tables: what is refused of their numbers, and that what is accepted can be evaluated. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The latest departure with its reason, and slack. */
 #include "support/cmocka_all.h"
 

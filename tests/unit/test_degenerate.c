@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scenes that went wrong once, as they were found: both engines must give the same answer, with a path that the verifier takes. */
 #include "support/cmocka_all.h"
 

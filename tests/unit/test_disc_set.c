@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Sets of discs: both directions of time in one order, chosen from another set, and no larger than they need be. */
 #include "support/cmocka_all.h"
 

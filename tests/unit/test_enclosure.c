@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A destination walled in: found out where it is so, and never where there is a way. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Other ends among the discs of a prepared scene. */
 #include "support/cmocka_all.h"
 

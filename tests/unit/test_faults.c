@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every allocation of a scene, a solver and its answers fails in turn: told, nothing leaks, outputs stay, and everything goes on working. */
 #include "support/cmocka_all.h"
 

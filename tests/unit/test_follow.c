@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Laws by callback: followed as closely as is said, in few pieces, or refused with the reason. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Laws that break a condition only somewhere: refused wherever they are looked at. */
 #include "support/cmocka_all.h"
 

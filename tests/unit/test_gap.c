@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Gap events: the last moment at which a closing gap lets a robot out, against geometry and against bisection on A. */
 #include "support/cmocka_all.h"
 

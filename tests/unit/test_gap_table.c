@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What closes at jumps, in tables: read, refused when it is wrong, asked of an oracle that knows, and written. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The general method: it agrees with the others where they apply, and beyond them with closed forms, halving and scenes said in another way. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Growth given as numbers: what is refused, the pieces, where a radius shrinks, covers, the hash. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The engine for changing rates in crowds, where a scout goes ahead: held against the engine for rates, and against moving the clock. */
 #include "support/cmocka_all.h"
 

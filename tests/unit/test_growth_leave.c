@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Legs that leave a ride: where a sign is neither above nor below zero. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Who may be met at all: the discs above the laws, the index over them, and what a chunk's legs can see, against every law looked at. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Riders followed chunk by chunk: on the boundary, at speed 1, along their heading; and how far they are free, against a dense look. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths among discs with any growth law, leg by leg; and what is left when memory runs out on the way to one. */
 #include "support/cmocka_all.h"
 

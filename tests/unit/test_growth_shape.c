@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Growth laws cut into spans and runs, and the angles that riders turn: against the pieces themselves, closed forms, and numerical integration. */
 #include "support/cmocka_all.h"
 

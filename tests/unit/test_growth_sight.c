@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Straight motions past discs with any growth law: least values, contacts and their times, against a dense look at the motion itself. */
 #include "support/cmocka_all.h"
 

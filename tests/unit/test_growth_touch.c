@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Where a disc stops growing at the very moment at which its boundary meets a robot: rounding decides which robots get past, and all riders of that moment have to hold to it. The departures
  * are those that the soak found, 1e-12 before a jump.

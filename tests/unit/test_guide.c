@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Guides: the answers with one are to the bit those without; a wrong one is refused; one that turns wrong later leads no read astray. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The heap of labels against sorting. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The index against looking at every disc. */
 #include "support/cmocka_all.h"
 

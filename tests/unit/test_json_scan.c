@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is JSON and what is not, where json-glib would be lenient: escapes, numbers, words, ends. */
 #include "support/cmocka_all.h"
 

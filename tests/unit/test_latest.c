@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Latest departures against bisection on A, and their statuses. */
 #include "support/cmocka_all.h"
 

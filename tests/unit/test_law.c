@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Growth laws as pieces: which piece holds, and its radius, rate and bend. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers at the ends of what a scene may hold: each ends in an answer or a status, and answers are right. */
 #include "support/cmocka_all.h"
 

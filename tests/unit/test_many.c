@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* One source and many destinations, many sources and one destination: that they share searches, and what happens when something fails. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Margins in closed form, what limits them, and their ends. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Margins at the edges of what can be asked: times too far away, growth that shrinks later or bends, discs as fast as the robot. */
 #include "support/cmocka_all.h"
 

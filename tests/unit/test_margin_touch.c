@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The fastest disc that a leg stays clear of, against sampling and the verifier. */
 #include "support/cmocka_all.h"
 

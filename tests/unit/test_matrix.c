@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Matrices: what is built comes out again, and nothing else is let in. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The methods of a solver: their names, and the scenes to which each applies. */
 #include "support/cmocka_all.h"
 

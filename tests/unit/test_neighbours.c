@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rings of neighbours against looking at every disc. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Scenes, solvers and what asks them, without memory: each allocation fails in turn (support/scarce.h).
  *

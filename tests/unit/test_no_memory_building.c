@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Searches, tables, matrices and their checks, without memory: each allocation fails in turn (support/scarce.h).
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Public functions that ask for no memory are not in its want: each is called with none to be had. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The conformance kit: a mutant for each way of breaking a rule, caught by that rule and by no other; sound oracles of every kind pass. */
 #include "support/cmocka_all.h"
 

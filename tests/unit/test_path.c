@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Positions along a path. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths as JSON: what is printed reads back as the same path. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Roots of polynomials whose roots are known: products of factors. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Look-up in both directions: against answers by hand, and against a scan of all rows on random tables. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths, positions and jumps of a table, and what is refused. */
 #include "support/cmocka_all.h"
 

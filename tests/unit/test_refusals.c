@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Every allocation of everything that is asked of a scene fails in turn: told, nothing leaks, outputs stay. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Asking few discs first gives the answers of asking all. */
 #include "support/cmocka_all.h"
 

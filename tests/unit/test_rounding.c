@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Answers in scenes in which rounding used to show, beside what tests/slow/precise.h says of them. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where departures end: by the oracle, by the horizon, or never; with latest_departure and without. */
 #include <float.h>
 #include <math.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What goes wrong: arguments, oracles that break their word, cancelling, memory, the limit of rows. Nothing leaks, outputs stay. */
 #include <math.h>
 #include <setjmp.h>

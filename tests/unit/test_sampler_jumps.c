@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Jumps that are certified by reverse calls: exact places, few calls, and what happens near other jumps, steep pieces, the end, and with
  * a reverse oracle that does not tell the truth.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Where rows are placed: the guarantee, the number of rows, both sides of jumps, the calls that it takes. */
 #include <math.h>
 #include <setjmp.h>

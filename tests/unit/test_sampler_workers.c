@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rows by several workers: the same bytes whoever does what, in whatever order. */
 #include <math.h>
 #include <setjmp.h>

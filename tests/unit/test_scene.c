@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Making scenes: what is refused, what is kept as given, the hash, the covers, the frame. */
 #include "support/cmocka_all.h"
 

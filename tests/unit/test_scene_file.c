@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scene files whose discs grow in any way: what the scene then holds, and what is said of a radius that shrinks. */
 #include "support/cmocka_all.h"
 

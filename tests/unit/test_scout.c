@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Weighted searches: scouts that find a limit for the exact search, patience, and the lower bound that a weighted search leaves behind. */
 #include "support/cmocka_all.h"
 

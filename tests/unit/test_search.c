@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The label-setting loop on graphs, against Bellman and Ford's relaxation of every edge, and its errors. */
 #include "support/cmocka_all.h"
 

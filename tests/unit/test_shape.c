@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Jumps, the gaps behind them, and pieces: known scenes, wrong options, and memory that runs out. */
 #include "support/cmocka_all.h"
 

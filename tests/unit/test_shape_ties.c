@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Pieces where ways are equally long and discs are touched at the same departure: rounding decides, and must not show. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What near discs hide, against asking each cover in turn. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The solver's public face: closed forms, statuses, paths, arguments, counters, threads. */
 #include "support/cmocka_all.h"
 

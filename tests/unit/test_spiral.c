@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Rides: the closed form against the differential equation and against the motion in the plane. */
 #include "support/cmocka_all.h"
 

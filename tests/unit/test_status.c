@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Statuses: names are an interface of the command line's JSON, values one of the binary interface. */
 #include "support/cmocka_all.h"
 

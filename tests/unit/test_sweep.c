@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What has been ridden already: rides put in by hand, and the moments at which they dominate others. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Opening a table: what is accepted, what is refused and as what, and that nothing is read outside the bytes. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Straight legs between moving boundaries, from first principles: for a rider who leaves disc i in its own direction, where does the straight line
  * meet disc j along j's own direction? That asks for a length L and an error `miss`, both explicit, and a leg is where `miss` is zero. No formula of

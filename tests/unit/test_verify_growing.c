@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The verifier where rates change, and on curves: against sampling, against rides that are right, and against rides with one thing wrong. */
 #include "support/cmocka_all.h"
 

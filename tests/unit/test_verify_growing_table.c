@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The verifier of tables where rates change, its memory, and what it does with legs that go around for ever. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The verifier of paths against sampling, and against paths with one thing wrong. */
 #include "support/cmocka_all.h"
 

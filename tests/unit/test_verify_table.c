@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The verifier of tables: accepts what was built, and finds a number changed under right checksums. */
 #include "support/cmocka_all.h"
 

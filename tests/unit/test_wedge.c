@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What a rider sees while it rides one chunk, against solving for every leg there is: none is overlooked that is not blocked, or too late. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Covers block what they say, and no limit cuts a leg that could be in time. */
 #include "support/cmocka_all.h"
 

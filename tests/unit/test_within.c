@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Arrivals within a share of the best: what is promised of them, where few discs are searched and where many are. */
 #include "support/cmocka_all.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The writer: what went in comes out, what contradicts the format does not get out, and memory may fail anywhere. */
 #include "support/cmocka_all.h"
 

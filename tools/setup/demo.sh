@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # The main job, command by command: a real scene in, a certified table out, answers with safe paths, two pictures.
 #   demo.sh BUILD SCENE
 set -euo pipefail

@@ -1,15 +1,17 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Install the Debian packages that building, showing or testing needs, and only those that are missing.
 #   packages.sh demo     what the library and the command need
 #   packages.sh bench    that, and what measuring needs
 #   packages.sh check    both, and what the tests need
+#   packages.sh languages  what the library, its Python package and the wrappers in other languages need
 #   packages.sh trust    all that, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | bench | check | trust) ;; *) echo "usage: packages.sh demo|bench|check|trust" >&2; exit 2 ;; esac
+case $tier in demo | bench | check | languages | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|trust" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -56,7 +58,7 @@ need pkg-config has_command pkg-config
 need libglib2.0-dev has_library gio-2.0
 need libjson-glib-dev has_library json-glib-1.0
 need libcairo2-dev has_library cairo
-if [ "$tier" != demo ]; then
+if [ "$tier" != demo ] && [ "$tier" != languages ]; then
     need g++ has_gxx
     need python3 has_python
     need valgrind has_callgrind
@@ -77,6 +79,10 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need gcc-s390x-linux-gnu has_cross s390x
     need libc6-dev-s390x-cross has_cross s390x
     need qemu-user-static has_command qemu-s390x-static
+fi
+if [ "$tier" = languages ]; then
+    need g++ has_gxx
+    need python3 has_python
 fi
 if [ "$tier" = trust ]; then
     need frama-c-base has_command frama-c

@@ -1,4 +1,5 @@
 #!/bin/bash
+# SPDX-License-Identifier: MIT
 # Draw the pictures of README.md, from a real scene, and those of docs/math, from examples/scenes.
 #   pictures.sh BUILD SCENE DIRECTORY           draw them, and write what they show to DIRECTORY/shown.txt
 #   pictures.sh --check BUILD SCENE DIRECTORY   is DIRECTORY/shown.txt what they would show now?

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Ask about times, print the answers. */
 #include "answers.h"
 

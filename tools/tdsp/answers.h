@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What the commands share that ask a scene's solver about times: `arrive` and `depart`. */
 #ifndef ANSWERS_H
 #define ANSWERS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The sampler's options on the command line. */
 #include "build_asked.h"
 

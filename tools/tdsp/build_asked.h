@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What is asked of the sampler: the options that `build` and `matrix` share. */
 #ifndef BUILD_ASKED_H
 #define BUILD_ASKED_H

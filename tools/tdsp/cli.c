@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Errors, options and output common to all commands. */
 #include "cli.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * What all commands share: exit statuses, errors that carry them, options, and output.
  *

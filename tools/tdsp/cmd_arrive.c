@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp arrive: earliest arrivals, exact or within a share of the best. */
 #include "answers.h"
 #include "commands.h"

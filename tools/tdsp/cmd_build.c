@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp build: sample the exact oracle of a scene into a table. */
 #include <math.h>
 

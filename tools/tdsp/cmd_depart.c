@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp depart: exact latest departures. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp embed: a table as C source, for firmware that reads it from flash. */
 #include <string.h>
 

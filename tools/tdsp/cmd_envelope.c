@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp envelope: the pieces of the earliest arrival, each with the discs that its paths ride. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp generate: made-up scenes. */
 #include "commands.h"
 #include "file_out.h"

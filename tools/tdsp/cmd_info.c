@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp info: what a table's header says, and its jumps. */
 #include <string.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp jumps: where the earliest arrival jumps, by how much, and what closes there. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp margin: what a departure has to spare, in time and in growth. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp matrix: the tables between lists of sources and destinations, in one file. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp path: the path that answers a departure, from a scene (the best, or within a share of it) or a table (the row's path, moved earlier). */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp plot: pictures of scenes and tables. */
 #include <math.h>
 

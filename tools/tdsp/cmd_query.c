@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp query: certified intervals from a table, for departures or, the other way round, for arrivals. */
 #include <math.h>
 

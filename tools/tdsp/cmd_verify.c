@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* tdsp verify: a table or a path against its scene. */
 #include <math.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The commands, one file each. */
 #ifndef COMMANDS_H
 #define COMMANDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Whole reads and writes of file descriptors: what a signal interrupts or the system does in part is gone on with. */
 #ifndef TDSP_DESCRIPTOR_H
 #define TDSP_DESCRIPTOR_H

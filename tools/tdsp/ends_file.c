@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading lists of places. */
 #include "ends_file.h"
 

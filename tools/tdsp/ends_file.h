@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lists of places: one a line, "x,y" or "x y", with a name behind it where wanted; # begins a comment. */
 #ifndef ENDS_FILE_H
 #define ENDS_FILE_H

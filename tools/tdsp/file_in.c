@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reading input files and telling their kinds apart. */
 #include "file_in.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Input files, read whole. What a file is, its first bytes decide. */
 #ifndef FILE_IN_H
 #define FILE_IN_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Atomic replacement of a file: temporary file, fsync, rename, with signals held back. Only SIGKILL leaves the temporary file. */
 #include "file_out.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Output files appear whole or not at all: written to a temporary file in the same directory, synced, renamed. Signals wait
  * meanwhile, so that Ctrl-C leaves nothing behind, and a file that exists survives every failure.

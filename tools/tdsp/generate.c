@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Random, crowd, mixed and wall: scenes in a square of 100 by 100 that a robot of speed 1 crosses. The unit of thought is the
  * mean spacing a = 100 / sqrt(n), so that the difficulty of a kind does not change with n.

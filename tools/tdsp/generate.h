@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Made-up scenes. The same kind, n, seed and growth give the same scene on every machine. */
 #ifndef GENERATE_H
 #define GENERATE_H

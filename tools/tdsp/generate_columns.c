@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A chain of discs and two columns of gaps, n = 3 k discs of one rate, growing far slower than the robot: what comes to mind first where A(t) is to have
  * many pieces (arXiv 1808.01984). It has 2 k: the chain joins the path once, for tangents to one side never turn between discs of one rate, and each

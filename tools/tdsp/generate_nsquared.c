@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Discs of one rate for which A(t) has at least N^2 pieces: N gaps, and a chain of N discs that joins the path anew for each of them. The
  * derivation is in docs/math/pieces.md, with the same names.

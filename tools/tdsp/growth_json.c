@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * How a disc grows, as data: a rate; coefficients of a polynomial; or rates from given times on. What one number can be wrong in is said with the
  * place of that number; what the growth as a whole is wrong in, as a radius that shrinks, the library says.

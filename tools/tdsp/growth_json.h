@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The member `growth` of a disc in a scene file. */
 #ifndef GROWTH_JSON_H
 #define GROWTH_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * JSON as text, written front to back. Numbers read back as the same double; what is not finite becomes null.
  */

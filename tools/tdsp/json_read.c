@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Typed access to parsed JSON, with places in its messages. */
 #include "json_read.h"
 

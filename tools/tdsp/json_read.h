@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Typed access to parsed JSON. Every failure names the file, the place as a member path such as discs[3].radius, and the reason.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Strict scanner for JSON: recursive descent, one function for each production of the grammar, depth bounded by JSON_SCAN_DEPTH.
  *

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * A strict first pass over JSON text (RFC 8259). json-glib accepts comments, hexadecimal, trailing commas, duplicate keys and
  * numbers that do not fit, and a deep nest overruns its stack; whatever passes here it reads rightly.

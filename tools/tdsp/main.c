@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The command `tdsp`: picks the command and reports its error. The texts of all commands stand in one table here. */
 #include <glib.h>
 #include <locale.h>

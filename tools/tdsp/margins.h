@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What `tdsp margin` finds out about a departure, and how it is printed. */
 #ifndef MARGINS_H
 #define MARGINS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Matrices on the command line. */
 #include "matrix_pair.h"
 

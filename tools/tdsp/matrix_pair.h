@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Matrices on the command line: a pair by numbers or names, what a matrix holds, and its check. */
 #ifndef MATRIX_PAIR_H
 #define MATRIX_PAIR_H

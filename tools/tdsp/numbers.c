@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Numbers to text and back, by GLib's locale-independent functions. */
 #include "numbers.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Numbers as text: what is printed reads back as the same double, and what is read is a plain decimal number or is refused.
  * Never depends on the locale.

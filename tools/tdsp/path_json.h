@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths as JSON: the output of `tdsp path --json`, and back. */
 #ifndef PATH_JSON_H
 #define PATH_JSON_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The canvas: cairo's surfaces, kept in memory until the picture is whole. */
 #include "plot_canvas.h"
 

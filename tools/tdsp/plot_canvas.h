@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Something to draw on that becomes an SVG or PNG file, text on it, and the colours of all pictures. */
 #ifndef PLOT_CANVAS_H
 #define PLOT_CANVAS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The picture of a table: travel time over departure. Between the rows i - 1 and i the true curve lies between T(b_(i-1)+) and T(b_i);
  * this band is filled, and where it leaps up the leap is drawn.

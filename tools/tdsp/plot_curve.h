@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The picture of a table. */
 #ifndef PLOT_CURVE_H
 #define PLOT_CURVE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Discs as the dots of round pens: a stroke of no length with round ends is a disc. Discs of one size share a pen, so that a scene
  * of many thousand equal discs stays a small file; what lies outside the frame, or exactly under its neighbour, is left out.

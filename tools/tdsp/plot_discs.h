@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* All discs of a scene as they are at one time, as one shape. */
 #ifndef PLOT_DISCS_H
 #define PLOT_DISCS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Frames and axes. */
 #include "plot_frame.h"
 

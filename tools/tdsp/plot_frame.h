@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A rectangle of the canvas that shows a rectangle of the world, with axes around it. */
 #ifndef PLOT_FRAME_H
 #define PLOT_FRAME_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A cross where a gap closes, and beside it the last departure that gets through. */
 #include "plot_gaps.h"
 

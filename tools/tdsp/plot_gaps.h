@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The gaps that close at the jumps of a scene, drawn into its picture. */
 #ifndef PLOT_GAPS_H
 #define PLOT_GAPS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Jumps: a line from the travel time before to the one after, with an end for each where it is long enough. */
 #include "plot_jumps.h"
 

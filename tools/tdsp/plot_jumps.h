@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The jumps of a table's travel time, drawn into the picture of its curve. */
 #ifndef PLOT_JUMPS_H
 #define PLOT_JUMPS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Placing labels: twelve places around the point are tried; the one that hides least of the lines wins. */
 #include "plot_labels.h"
 

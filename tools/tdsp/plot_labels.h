@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Labels that avoid each other, what they would hide, and the edge of the picture. */
 #ifndef PLOT_LABELS_H
 #define PLOT_LABELS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Paths: lines as lines, arcs and curves as polylines so fine that the spiral is exact to the eye. */
 #include "plot_route.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A path on the canvas: its legs, and marks of the time along it. */
 #ifndef PLOT_ROUTE_H
 #define PLOT_ROUTE_H

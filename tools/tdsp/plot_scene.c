@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The picture of a scene: discs at departure and at arrival, the path with times along it, and what is what. */
 #include "plot_scene.h"
 

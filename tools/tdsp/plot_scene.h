@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The picture of a scene. */
 #ifndef PLOT_SCENE_H
 #define PLOT_SCENE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A progress bar on standard error: only where that is a terminal, and only once work takes long enough to be worth one. */
 #ifndef PROGRESS_H
 #define PROGRESS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A small random number generator, the same on every machine: SplitMix64 (Steele, Lea, Flood 2014). */
 #ifndef RNG_H
 #define RNG_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * The reader of scene files (docs/cli.md). Everything is checked before the library sees it, so that a mistake is answered with
  * the place where it stands; the library's own checks stay the last word.

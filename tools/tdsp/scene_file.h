@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Scene files: JSON in, a prepared scene out. */
 #ifndef SCENE_FILE_H
 #define SCENE_FILE_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene file with a solver for it. */
 #include "scene_solver.h"
 

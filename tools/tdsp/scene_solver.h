@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* A scene file with a solver for it. */
 #ifndef SCENE_SOLVER_H
 #define SCENE_SOLVER_H

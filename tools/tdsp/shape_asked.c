@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Options and outcomes of the questions about the shape of A(t). */
 #include "shape_asked.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What `envelope` and `jumps` share: a scene, how far and how finely to look, and the gaps that close. */
 #ifndef SHAPE_ASKED_H
 #define SHAPE_ASKED_H

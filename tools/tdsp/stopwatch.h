@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Elapsed wall time. */
 #ifndef STOPWATCH_H
 #define STOPWATCH_H

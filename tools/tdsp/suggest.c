@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Distance between words: optimal string alignment, by rows of the usual table. */
 #include "suggest.h"
 

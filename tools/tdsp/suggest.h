@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The word that was probably meant. */
 #ifndef SUGGEST_H
 #define SUGGEST_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The path that a table gives for a departure. */
 #include "table_path.h"
 

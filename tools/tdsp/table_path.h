@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The path that a table gives for a departure. */
 #ifndef TABLE_PATH_H
 #define TABLE_PATH_H

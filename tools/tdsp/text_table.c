@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Columns of text. */
 #include "text_table.h"
 

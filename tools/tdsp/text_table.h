@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Columns of text, padded so that they stand under each other. The heading begins with '#': other programs skip it. */
 #ifndef TEXT_TABLE_H
 #define TEXT_TABLE_H

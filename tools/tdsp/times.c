@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lists of times. */
 #include "times.h"
 

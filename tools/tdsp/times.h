@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Lists of times from the command line and from files. */
 #ifndef TIMES_H
 #define TIMES_H

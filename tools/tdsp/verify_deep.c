@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Solving again. Forwards: A(t) must not be before a table's lower end or after its upper one. Backwards, by a search of its own in
  * reversed time: the latest departure that arrives by A(t) is not before t, or the forward answer was not the earliest; and for a

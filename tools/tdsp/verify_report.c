@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Verdicts of the library's verifier, in sentences. */
 #include "verify_report.h"
 

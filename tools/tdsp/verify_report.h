@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* What verification found, gathered from the library's verdicts and from solving again. */
 #ifndef VERIFY_REPORT_H
 #define VERIFY_REPORT_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Words for values. Each list is in the order of its enumeration (tdsp/types.h, tdsp/solver.h). */
 #include "words.h"
 

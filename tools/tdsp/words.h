@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The words of the command line for values of enumerations. */
 #ifndef WORDS_H
 #define WORDS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* The library has no threads; here are some for it: each worker has a solver and an oracle of its own for one shared scene. */
 #ifndef WORKERS_H
 #define WORKERS_H

@@ -286,28 +286,7 @@ unit: ## run the unit tests only
 format: ## lay out the C sources by .clang-format
 	clang-format-19 -i $(wildcard include/tdsp/*.h src/*/*.[ch] tools/tdsp/*.[ch] tests/*/*.[ch] examples/c/*.[ch])
 
-# ----------------------------------------------------------------------------------------------------------- installing
-
-HEADERS := $(sort $(wildcard include/tdsp/*.h))
-INSTALL := install
-
-.PHONY: install
-install: all ## install to DESTDIR/PREFIX (default /usr/local): command, libraries, headers, pkg-config file
-	$(INSTALL) -d $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(INCLUDEDIR)/tdsp
-	$(INSTALL) -m 755 $(BUILD)/tdsp $(DESTDIR)$(BINDIR)/tdsp
-	$(INSTALL) -m 644 $(STATIC) $(QUERY) $(DESTDIR)$(LIBDIR)
-	$(INSTALL) -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)
-	ln -sf libtdsp.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so.$(SOVERSION)
-	ln -sf libtdsp.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so
-	$(INSTALL) -m 644 $(HEADERS) $(DESTDIR)$(INCLUDEDIR)/tdsp
-	sed -e 's|@PREFIX@|$(PREFIX)|' -e 's|@LIBDIR@|$(LIBDIR)|' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|' -e 's|@VERSION@|$(VERSION)|' \
-	  tools/setup/tdsp.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/tdsp.pc
-
-.PHONY: uninstall
-uninstall: ## remove what install put there
-	rm -f $(DESTDIR)$(BINDIR)/tdsp $(DESTDIR)$(LIBDIR)/libtdsp.a $(DESTDIR)$(LIBDIR)/libtdsp-query.a $(DESTDIR)$(LIBDIR)/libtdsp.so*
-	rm -f $(DESTDIR)$(LIBDIR)/pkgconfig/tdsp.pc $(addprefix $(DESTDIR)$(INCLUDEDIR)/tdsp/,$(notdir $(HEADERS)))
-	rmdir $(DESTDIR)$(INCLUDEDIR)/tdsp
+# ------------------------------------------------------------------------------------------------------------- the rest
 
 .PHONY: clean
 clean: ## remove everything that was built

@@ -59,7 +59,7 @@ class Page:
             command = re.sub(r"\s+#.*", "", command).strip()
             if not command or command.startswith("#") or ELSEWHERE.match(command):
                 continue
-            target = re.match(r"make( [a-z]+)?", command)
+            target = re.match(r"make( [a-z-]+)?", command)
             if target:
                 self.report(command, self.no_target((target[1] or " all").strip()))
             else:
@@ -67,7 +67,8 @@ class Page:
                 self.report(command, f"exit status {status}\n{printed}" if status else None)
 
     def no_target(self, name):
-        helped = re.findall(r"^([a-z-]+):.*## ", (ROOT / "Makefile").read_text(), re.M)
+        files = [ROOT / "Makefile", *ROOT.glob("tests/*/rules.mk"), *ROOT.glob("tools/*/rules.mk")]
+        helped = [target for file in files for target in re.findall(r"^([a-z-]+):.*## ", file.read_text(), re.M)]
         return None if name in helped else f"make has no target {name} with a line of help"
 
     def program(self, text):

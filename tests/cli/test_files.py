@@ -174,4 +174,16 @@ def without_a_terminal_there_is_no_progress_bar():
     expect_equal(running.communicate(timeout=60), (b"", b""))
 
 
+@test
+def names_that_the_locale_cannot_write_are_names():
+    """GOption would turn an argument into UTF-8, and refuse one that is none."""
+    environment = dict(os.environ, LC_ALL="C")
+    file = scene()
+    table = os.fsdecode(b"\xe9t\xe9.tdsp")
+    os.rename(built(), table)
+    for arguments in [("query", table, "0"), ("query", table, "--arrive-by", "33"), ("margin", file, "0", "--path", table), ("info", table)]:
+        found = subprocess.run([TDSP, *arguments], env=environment, capture_output=True)
+        expect_equal(found.returncode, 0, f"{arguments}: {found.stderr}")
+
+
 main()

@@ -100,6 +100,29 @@ def too_many_arguments_are_a_usage_error():
 
 
 @test
+def help_tells_programs_all_commands_or_one():
+    told = done("help", "--json").json
+    expect(set(COMMANDS) <= {command["name"] for command in told["commands"]}, told)
+    expect_equal([command["name"] for command in done("help", "query", "--json").json["commands"]], ["query"])
+    expect_equal(done("help", "--json", "query").out, done("help", "query", "--json").out)
+
+
+@test
+def help_tells_words_and_endings_for_the_names_of_arguments():
+    arguments = done("help", "--json").json["arguments"]
+    expect_equal(arguments["GUARANTEE"], {"words": ["travel", "arrival", "absolute"]})
+    expect_equal(arguments["SCENE"], {"file": "json"})
+    for kind in arguments["KIND"]["words"]:
+        done("generate", kind)
+
+
+@test
+def help_of_two_commands_or_of_none_that_is_known_is_a_usage_error():
+    fails(2, ["too many arguments"], "help", "query", "info")
+    fails(2, ['did you mean "query"?'], "help", "qurey", "--json")
+
+
+@test
 def outputs_must_be_named():
     file = scene()
     fails(2, ["-o"], "build", file)

@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Install into an empty directory, build a program against it by pkg-config, shared and static, run both, uninstall.
+# Install into an empty directory, build programs against it by pkg-config and by CMake, shared and static, run them, read the manual, uninstall.
 #   check.sh MAKE BUILD
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
@@ -40,11 +40,27 @@ all_files() {
     local major minor patch
     IFS=. read -r major minor patch <<<"$(flags --modversion)"
     for file in bin/tdsp lib/libtdsp.a lib/libtdsp-query.a lib/libtdsp.so "lib/libtdsp.so.$major" \
-        "lib/libtdsp.so.$major.$minor.$patch" lib/pkgconfig/tdsp.pc $(cd include && echo tdsp/*.h | sed 's/tdsp\//include\/tdsp\//g'); do
+        "lib/libtdsp.so.$major.$minor.$patch" lib/pkgconfig/tdsp.pc lib/pkgconfig/tdsp-query.pc \
+        lib/cmake/tdsp/tdsp-config.cmake lib/cmake/tdsp/tdsp-config-version.cmake \
+        share/man/man1/tdsp.1 share/man/man1/tdsp-build.1 share/man/man3/libtdsp.3 share/man/man3/tdsp_build.3 share/man/man5/tdsp-scene.5 share/man/man5/tdsp-table.5 \
+        share/bash-completion/completions/tdsp share/zsh/site-functions/_tdsp share/fish/vendor_completions.d/tdsp.fish $(cd include && echo tdsp/*.h | sed 's/tdsp\//include\/tdsp\//g'); do
         [ -s "$here/$file" ] || { echo "$file is not there"; return 1; }
     done
 }
 has_soname() { readelf -d "$work/shared" | grep -q "NEEDED.*\[libtdsp\.so\.[0-9]*\]"; }
+build_query() {
+    # shellcheck disable=SC2046
+    gcc -std=c99 -Wall -Wextra -Werror tests/install/reader.c $(PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$here/lib/pkgconfig pkg-config --cflags --libs tdsp-query) \
+        -o "$work/query"
+}
+build_by_cmake() { cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/cmake"; }
+by_cmake_shared() { readelf -d "$work/cmake/shared" | grep -q "NEEDED.*\[libtdsp\.so\.[0-9]*\]" && "$work/cmake/shared"; }
+by_cmake_static() { ! readelf -d "$work/cmake/static" | grep -q libtdsp && "$work/cmake/static"; }
+by_cmake_query() { ! readelf -d "$work/cmake/query" | grep -q libtdsp && "$work/cmake/query"; }
+without_the_shared_library() {
+    rm "$here"/lib/libtdsp.so* && cmake -S tests/install -B "$work/archives" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/archives" &&
+        ! readelf -d "$work/archives/shared" | grep -q libtdsp && "$work/archives/shared"
+}
 runs_shared() { LD_LIBRARY_PATH=$here/lib "$work/shared"; }
 nothing_left() { [ -z "$(find "$dest" -type f -o -type l)" ] || { find "$dest" -type f -o -type l; return 1; }; }
 
@@ -56,6 +72,13 @@ step "it asks for the library by its SONAME" has_soname
 step "it runs" runs_shared
 step "a program builds against the static library" build_static
 step "it runs by itself" "$work/static"
+step "a reader builds by pkg-config against the archive of the reader alone" build_query
+step "it runs" "$work/query"
+step "a CMake project finds the package, its targets and its version" build_by_cmake
+step "its program with the shared library runs" by_cmake_shared
+step "its program with the archive runs by itself" by_cmake_static
+step "its reader runs" by_cmake_query
+step "tdsp::tdsp is the archive where there is no shared library" without_the_shared_library
 step "make uninstall" "$make" --no-print-directory uninstall BUILD="$build" DESTDIR="$dest" PREFIX=$prefix
 step "nothing is left" nothing_left
 exit $failed

@@ -5,13 +5,14 @@
 #   packages.sh bench    that, and what measuring needs
 #   packages.sh check    both, and what the tests need
 #   packages.sh languages  what the library, its Python package and the wrappers in other languages need
-#   packages.sh trust    all that, and what the longer campaigns of docs/testing.md need
+#   packages.sh packaging  what packing and installing releases and Debian packages needs, and other shells to complete words in
+#   packages.sh trust    all that of check, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | bench | check | languages | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|trust" >&2; exit 2 ;; esac
+case $tier in demo | bench | check | languages | packaging | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|packaging|trust" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -49,6 +50,8 @@ has_cmocka() { has_library cmocka; }
 has_cross() { c_program | compiles "$1-linux-gnu-gcc" c; }
 has_cross_hf() { c_program | compiles "$1-linux-gnueabihf-gcc" c; }
 has_afl() { has_command afl-fuzz && fuzz_program | AFL_CC=clang-19 AFL_LLVM_INSTRUMENT=LLVM-NATIVE AFL_QUIET=1 compiles afl-clang-fast c -fsanitize=fuzzer,address,undefined; }
+# Whichever of the two runs the check (tests/packaging/check_schemas.py).
+has_jsonschema() { python3 -c 'import jsonschema' >/dev/null 2>&1 || /usr/bin/python3 -c 'import jsonschema' >/dev/null 2>&1; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
 need gcc has_gcc
@@ -79,10 +82,27 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need gcc-s390x-linux-gnu has_cross s390x
     need libc6-dev-s390x-cross has_cross s390x
     need qemu-user-static has_command qemu-s390x-static
+    need cmake has_command cmake
+    need scdoc has_command scdoc
+    need mandoc has_command mandoc
+    need python3-jsonschema has_jsonschema
 fi
 if [ "$tier" = languages ]; then
     need g++ has_gxx
     need python3 has_python
+fi
+if [ "$tier" = packaging ]; then
+    need python3 has_python
+    need libcmocka-dev has_cmocka
+    need cmake has_command cmake
+    need scdoc has_command scdoc
+    need man-db has_command man
+    need dpkg-dev has_command dpkg-buildpackage
+    need debhelper has_command dh
+    need lintian has_command lintian
+    need debootstrap has_command debootstrap
+    need zsh has_command zsh
+    need fish has_command fish
 fi
 if [ "$tier" = trust ]; then
     need frama-c-base has_command frama-c

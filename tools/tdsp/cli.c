@@ -7,6 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "describe.h"
 #include "descriptor.h"
 
 GQuark cli_error_quark(void)
@@ -112,6 +113,27 @@ static void print_help(const char *text)
     exit(CLI_SYSTEM);
 }
 
+/* Where options are told and not parsed: entries point at variables of their command, so that only it can hand them over. */
+static JsonOut *options_to;
+
+void cli_tell_options(const CliCommand *command, JsonOut *out)
+{
+    g_autoptr(GError) none = NULL;
+    char name[] = "tdsp";
+    char *arguments[] = {name, NULL};
+    options_to = out;
+    command->run(command, 1, arguments, &none);
+    options_to = NULL;
+}
+
+static gboolean tell_options(const GOptionEntry *shared, const GOptionEntry *entries)
+{
+    describe_options(options_to, entries);
+    describe_options(options_to, shared);
+    describe_help_option(options_to);
+    return FALSE;
+}
+
 gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc,
                         char ***argv, GError **error)
 {
@@ -119,6 +141,7 @@ gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, 
         {"json", 0, 0, G_OPTION_ARG_NONE, json, "Print JSON", NULL},
         G_OPTION_ENTRY_NULL,
     };
+    if (options_to) return tell_options(shared, entries);
     g_autoptr(GOptionContext) context = g_option_context_new(command->arguments);
     GOptionGroup *group = g_option_group_new("main", "", "", data, NULL);
     g_option_group_add_entries(group, shared);

@@ -27,6 +27,8 @@ enum {
 #define CLI_ERROR cli_error_quark()
 GQuark cli_error_quark(void);
 
+struct JsonOut;
+
 typedef struct CliCommand {
     const char *name;
     const char *arguments; /* e.g. "SCENE T..." */
@@ -37,7 +39,8 @@ typedef struct CliCommand {
 
 /**
  * Parse options; what is left are the positional arguments, argv[1] on. Prints help and exits where asked to.
- * Every command has --json: `json` receives it.
+ * Every command has --json: `json` receives it. A command does this first, so that one whose options are asked for by
+ * cli_tell_options() does nothing else.
  */
 gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gboolean *json, int *argc, char ***argv,
                    GError **error);
@@ -45,6 +48,9 @@ gboolean cli_parse(const CliCommand *command, const GOptionEntry *entries, gbool
 /* The same for entries with callbacks, which receive `data`. An error of a callback that is one of ours is handed on as it is. */
 gboolean cli_parse_data(const CliCommand *command, const GOptionEntry *entries, gpointer data, gboolean *json, int *argc,
                         char ***argv, GError **error);
+
+/* Write the command's options as items of a list, in the place of running it. */
+void cli_tell_options(const CliCommand *command, struct JsonOut *out);
 
 /* A usage error unless there are `least` to `most` positional arguments (most < 0: any number). */
 gboolean cli_positional(const CliCommand *command, int argc, int least, int most, GError **error);

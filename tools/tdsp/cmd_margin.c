@@ -141,7 +141,7 @@ int cmd_margin(const CliCommand *command, int argc, char **argv, GError **error)
     g_autofree char *deadline_text = NULL, *path_name = NULL;
     const GOptionEntry entries[] = {
         {"deadline", 0, 0, G_OPTION_ARG_STRING, &deadline_text, "Arrive by A (default: arrive at all)", "A"},
-        {"path", 0, 0, G_OPTION_ARG_STRING, &path_name, "Look at this path, or this table's, instead of the fastest", "FILE"},
+        {"path", 0, 0, G_OPTION_ARG_FILENAME, &path_name, "Look at this path, or this table's, instead of the fastest", "FILE"},
         G_OPTION_ENTRY_NULL,
     };
     g_autoptr(GArray) times = times_new();

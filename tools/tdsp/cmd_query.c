@@ -60,7 +60,7 @@ static gboolean parse(const CliCommand *command, Asked *asked, int argc, char **
          "Read times from FILE (-: standard input), one a line, # comments", "FILE"},
         {"from", 0, 0, G_OPTION_ARG_STRING, &asked->from, "Of a matrix: the source, by number (from 0) or name", "I"},
         {"to", 0, 0, G_OPTION_ARG_STRING, &asked->to, "Of a matrix: the destination, likewise", "J"},
-        {G_OPTION_REMAINING, 0, 0, G_OPTION_ARG_CALLBACK, (gpointer)(void *)(gsize)take_positional, NULL, NULL},
+        {G_OPTION_REMAINING, 0, G_OPTION_FLAG_FILENAME, G_OPTION_ARG_CALLBACK, (gpointer)(void *)(gsize)take_positional, NULL, NULL},
         G_OPTION_ENTRY_NULL,
     };
     asked->departures = times_new();

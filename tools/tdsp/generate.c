@@ -281,9 +281,15 @@ const GenerateKind *generate_kind(const char *name)
     return NULL;
 }
 
+const char **generate_kind_names(void)
+{
+    const char **names = g_new0(const char *, G_N_ELEMENTS(kinds) + 1);
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) names[i] = kinds[i].name;
+    return names;
+}
+
 char *generate_kinds(void)
 {
-    GString *names = g_string_new(NULL);
-    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
-    return g_string_free(names, FALSE);
+    g_autofree const char **names = generate_kind_names();
+    return g_strjoinv(", ", (char **)(gpointer)names);
 }

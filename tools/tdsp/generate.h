@@ -30,6 +30,8 @@ typedef struct GenerateKind {
 const GenerateKind *generate_kind(const char *name);
 /* All names, for messages. */
 char *generate_kinds(void);
+/* The same as a list that ends with NULL. Free the list, not the names. */
+const char **generate_kind_names(void);
 
 void generate_columns(const GenerateOptions *options, Generated *out);
 void generate_nsquared(const GenerateOptions *options, Generated *out);

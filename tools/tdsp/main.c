@@ -9,6 +9,7 @@
 
 #include "cli.h"
 #include "commands.h"
+#include "describe.h"
 #include "descriptor.h"
 #include "suggest.h"
 #include "tdsp/types.h"
@@ -63,18 +64,18 @@ static const CliCommand commands[] = {
      "A list has one place a line: x,y or x y, with a name behind it where wanted; # begins a comment.\n\n"
      "Example:\n  tdsp matrix examples/scenes/two-discs.json --sources from.csv --destinations to.csv -o matrix.tdspm",
      cmd_matrix},
-    {"query", "TABLE T...", "certified arrival intervals, from a table",
+    {"query", "TABLE|MATRIX T...", "certified arrival intervals, from a table",
      "Print for each departure T an interval that holds the earliest arrival for certain. With\n"
      "--arrive-by, for each arrival A a departure that arrives by A for certain, and one after\n"
      "which nothing can. Of a matrix, --from and --to say between which places, by number or name.\n\n"
      "Examples:\n  tdsp query two-discs.tdsp 0 2.5 5\n  tdsp query two-discs.tdsp --arrive-by 30.35 33\n"
      "  tdsp query two-discs.tdsp --times departures.txt",
      cmd_query},
-    {"info", "TABLE", "what a table holds",
+    {"info", "TABLE|MATRIX", "what a table or a matrix holds",
      "Print the facts of a table: size, guarantee, ends of the departures, jumps.\n\n"
      "Example:\n  tdsp info two-discs.tdsp",
      cmd_info},
-    {"verify", "SCENE TABLE|PATH", "check a table or a path against its scene",
+    {"verify", "SCENE TABLE|MATRIX|PATH", "check a table or a path against its scene",
      "Check a table, or the output of `tdsp path --json`, against its scene by means that share no\n"
      "code with the search. Exit status 1 when anything is wrong. --deep N also solves N departures again.\n\n"
      "Example:\n  tdsp verify examples/scenes/two-discs.json two-discs.tdsp --deep 20",
@@ -122,7 +123,7 @@ static void append_usage(GString *text)
     g_string_append(text, "usage: tdsp COMMAND ARGUMENTS [OPTIONS]\n\n"
                           "Earliest arrivals among growing discs, and tables of them.\n\n");
     for (gsize i = 0; i < G_N_ELEMENTS(commands); i++)
-        g_string_append_printf(text, "  %-9s %-20s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
+        g_string_append_printf(text, "  %-9s %-23s %s\n", commands[i].name, commands[i].arguments, commands[i].summary);
     g_string_append(text, "\n  tdsp COMMAND --help tells more; every command takes --json; tdsp --version\n"
                           "  Exit status: 0 done, 1 the answer is no, 2 usage, 3 invalid input, 4 the system failed\n");
 }
@@ -176,12 +177,34 @@ static int run(const CliCommand *command, int argc, char **argv)
     return error ? report(command->name, error) : status;
 }
 
+static int too_many_for_help(void)
+{
+    fputs("tdsp help: too many arguments (usage: tdsp help [COMMAND] [--json])\n", stderr);
+    return CLI_USAGE;
+}
+
+/* `tdsp help --json` tells all commands, `tdsp help COMMAND --json` that one. */
+static int print_description(const CliCommand *command)
+{
+    g_autoptr(GError) error = NULL;
+    gboolean told = command ? describe_print(command, 1, &error) : describe_print(commands, G_N_ELEMENTS(commands), &error);
+    return told ? CLI_DONE : report("help", error);
+}
+
 /* `tdsp help COMMAND` is `tdsp COMMAND --help`. */
 static int help(int argc, char **argv)
 {
-    if (argc < 3) return print_usage();
-    const CliCommand *command = find_command(argv[2]);
-    if (!command) return unknown_command(argv[2]);
+    gboolean json = FALSE;
+    const char *name = NULL;
+    for (int i = 2; i < argc; i++) {
+        if (strcmp(argv[i], "--json") == 0) json = TRUE;
+        else if (!name) name = argv[i];
+        else return too_many_for_help();
+    }
+    const CliCommand *command = name ? find_command(name) : NULL;
+    if (name && !command) return unknown_command(name);
+    if (json) return print_description(command);
+    if (!command) return print_usage();
     char option[] = "--help";
     char *arguments[] = {argv[0], option, NULL};
     return run(command, 2, arguments);

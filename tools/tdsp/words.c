@@ -12,6 +12,13 @@ static const char *const samplings[] = {"adaptive", "geometric", NULL};
 static const char *const methods[] = {"auto", "same-speed", "different-speeds", "general", NULL};
 static const char *const monotones[] = {"travel", "arrival", NULL};
 
+const WordsArgument *words_arguments(void)
+{
+    static const WordsArgument arguments[] = {
+        {"GUARANTEE", guarantees}, {"SAMPLING", samplings}, {"METHOD", methods}, {NULL, NULL}};
+    return arguments;
+}
+
 static const char *word_of(const char *const *words, guint32 value)
 {
     return value < g_strv_length((char **)(gpointer)words) ? words[value] : "unknown";

@@ -17,4 +17,12 @@ gboolean words_parse_guarantee(const char *option, const char *word, guint32 *va
 gboolean words_parse_method(const char *option, const char *word, guint32 *value, GError **error);
 gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error);
 
+/* What may be written where a command's arguments and options name one of these lists. The last has no name. */
+typedef struct WordsArgument {
+    const char *name;
+    const char *const *words; /* ends with NULL */
+} WordsArgument;
+
+const WordsArgument *words_arguments(void);
+
 #endif

@@ -121,7 +121,8 @@ static tdsp_status push_tangent(const leave_target *target, double at)
     double sign = target->engine->question.sign;
     sight_line line = target_line(target, at);
     sight_nearest nearest = target_nearest(target, &line, 1);
-    int is_within = nearest.time > run_begins(target->shape, sign, target->run) && nearest.time < run_ends(target->shape, sign, target->run);
+    /* A run may begin where its rate falls to the robot's speed: whoever is caught there, from right behind, rides on. */
+    int is_within = nearest.time >= run_begins(target->shape, sign, target->run) && nearest.time < run_ends(target->shape, sign, target->run);
     return nearest.time > line.start && (is_within || nearest.is_at_corner) ? target_push(target, at, nearest.time, &nearest) : TDSP_OK;
 }
 

@@ -57,10 +57,48 @@ static void who_is_let_past_a_disc_as_it_stops_may_change_over(void **state)
     assert_true(fabs(at - before) < SAME || fabs(at - after) < SAME);
 }
 
+/* Three gentle steps of growth, each a begin, a span and a share of the radius. */
+typedef struct steps {
+    double begins[3], spans[3], shares[3];
+} steps;
+
+static void steps_law(void *ctx, double time, double *radius, double *rate)
+{
+    const steps *s = ctx;
+    *radius = 0.07357401460879455;
+    *rate = 0.0;
+    for (size_t k = 0; k < 3 && time >= s->begins[k]; k++) {
+        const double x = (time - s->begins[k]) / s->spans[k], below = 1.0 + x * x;
+        *radius += s->shares[k] * (x * x) / below;
+        *rate += s->shares[k] * (2.0 * x) / (below * below * s->spans[k]);
+    }
+}
+
+/*
+ * The disc catches the last robot in the moment in which its rate has fallen to the robot's speed: there its boundary begins to be ridden. The tangent of one side met it a bit after that
+ * moment, that of the other, which is faster, in that very moment, and was lost.
+ */
+static void who_is_caught_as_the_rate_falls_to_the_speed_may_go_either_way_round(void **state)
+{
+    (void)state;
+    static steps s = {{0.86655451332846023, 1.0055530943196314, 1.13300750776959},
+                      {0.30503192081023245, 0.31053634642194489, 0.39973435749464686},
+                      {0.35364793777855669, 0.082852495766617379, 0.49696933200890497}};
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {2.0, 0.0}};
+    const tdsp_growing_disc disc = {.center = {0.42904496446947282, 0.04462658804022468},
+                                    .radius = 0.07357401460879455,
+                                    .growth = {.kind = TDSP_GROWTH_LAW, .law = steps_law, .ctx = &s, .times = s.begins, .count = 3, .until = 32.0}};
+    const double before = travel_time(&journey, &disc, 1, 1.2823226713783);
+    assert_near(before, 3.45707405, 1e-7);
+    assert_near(travel_time(&journey, &disc, 1, 1.2823226713783784), before, 1e-6);
+    assert_near(travel_time(&journey, &disc, 1, 1.2823226713783786), before, 1e-6);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(who_is_met_as_the_disc_stops_may_go_either_way_round),
+        cmocka_unit_test(who_is_caught_as_the_rate_falls_to_the_speed_may_go_either_way_round),
         cmocka_unit_test(who_is_let_past_a_disc_as_it_stops_may_change_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,6 +52,9 @@ has_cross_hf() { c_program | compiles "$1-linux-gnueabihf-gcc" c; }
 has_afl() { has_command afl-fuzz && fuzz_program | AFL_CC=clang-19 AFL_LLVM_INSTRUMENT=LLVM-NATIVE AFL_QUIET=1 compiles afl-clang-fast c -fsanitize=fuzzer,address,undefined; }
 # Whichever of the two runs the check (tests/packaging/check_schemas.py).
 has_jsonschema() { python3 -c 'import jsonschema' >/dev/null 2>&1 || /usr/bin/python3 -c 'import jsonschema' >/dev/null 2>&1; }
+# Debian's packages of Python modules are for Debian's Python, whichever is the first in PATH.
+has_numpy() { python3 -c 'import numpy' >/dev/null 2>&1 || /usr/bin/python3 -c 'import numpy' >/dev/null 2>&1; }
+has_venv() { has_command python3 && python3 -c 'import ensurepip, venv' >/dev/null 2>&1; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
 need gcc has_gcc
@@ -69,6 +72,7 @@ if [ "$tier" != demo ] && [ "$tier" != languages ]; then
 fi
 if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need libcmocka-dev has_cmocka
+    need python3-numpy has_numpy
     need clang-19 has_clang
     need libclang-rt-19-dev has_sanitizers
     need llvm-19 has_command llvm-symbolizer-19
@@ -90,6 +94,9 @@ fi
 if [ "$tier" = languages ]; then
     need g++ has_gxx
     need python3 has_python
+    need python3-numpy has_numpy
+    need python3-venv has_venv
+    need binutils has_command readelf
 fi
 if [ "$tier" = packaging ]; then
     need python3 has_python

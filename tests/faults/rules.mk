@@ -31,7 +31,7 @@ faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000,
 
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.
-SHORT_LEFT_OUT := angle bernstein bytes contact law margin_touch path path_json polynomial skyline spiral status tangent curve_table guide query query_paths table
+SHORT_LEFT_OUT := angle bernstein bytes contact csv geodesic georeference instant law margin_touch path path_json polynomial skyline spiral status tangent curve_table guide query query_paths table
 FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
 run-faults: $(CHECK)/faults/allocations.result
 $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE

@@ -91,3 +91,32 @@ gboolean growth_json_read(const JsonValue *value, tdsp_growing_disc *disc, GPtrA
     const char *wrong = tdsp_growing_disc_check(disc);
     return wrong ? json_read_fail(&value->place, error, "%s", wrong) : TRUE;
 }
+
+static void write_numbers(const double *numbers, gsize count, JsonOut *out)
+{
+    json_out_begin(out, '[');
+    for (gsize i = 0; i < count; i++) json_out_number(out, numbers[i]);
+    json_out_end(out, ']');
+}
+
+void growth_json_write(const tdsp_growth *growth, JsonOut *out)
+{
+    if (growth->kind == TDSP_GROWTH_RATE) {
+        json_out_number(out, growth->rate);
+    } else if (growth->kind == TDSP_GROWTH_POLYNOMIAL) {
+        write_numbers(growth->values, growth->count, out);
+    } else {
+        json_out_begin(out, '{');
+        json_out_key(out, "times");
+        write_numbers(growth->times, growth->count, out);
+        json_out_key(out, "rates");
+        write_numbers(growth->values, growth->count, out);
+        json_out_end(out, '}');
+    }
+}
+
+gboolean growth_json_is_rate(const tdsp_growth *growth, double *rate)
+{
+    *rate = growth->kind == TDSP_GROWTH_RATE ? growth->rate : growth->values[0];
+    return growth->kind == TDSP_GROWTH_RATE || growth->count == 1;
+}

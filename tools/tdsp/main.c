@@ -90,6 +90,15 @@ static const CliCommand commands[] = {
      "Write a table as C source: a const array in flash, to be opened in place.\n\n"
      "Example:\n  tdsp embed two-discs.tdsp -o two_discs.c",
      cmd_embed},
+    {"convert", "FILE", "scenes and paths from and to CSV, GeoJSON, GPX",
+     "Convert a scene (CSV, GeoJSON or a scene file, told by what is in it) to a scene file, CSV or GeoJSON;\n"
+     "or a path (of tdsp path --json) to CSV, GeoJSON or GPX. CSV has a line a disc under named columns:\n"
+     "x, y (or lon, lat), radius, growth, role. GeoJSON has points with such properties, which are projected\n"
+     "to metres about an origin. FILE may be - for standard input.\n\n"
+     "Examples:\n  tdsp convert fires.geojson --speed 6 --from=-120.1,44.3 --to=-119.6,44.6 --growth 0.3 -o fires.json\n"
+     "  tdsp convert examples/scenes/two-discs.json --format csv\n"
+     "  tdsp convert path.json --scene fires.json --epoch 2026-06-01T12:00:00Z -o path.gpx",
+     cmd_convert},
     {"generate", "KIND", "a made-up scene",
      "Print a scene of a KIND: random (discs of all sizes), crowd (equal discs), wall (columns of\n"
      "touching discs with gaps), mixed (three growth rates), columns (gaps that close one after the\n"

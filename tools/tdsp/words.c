@@ -10,12 +10,13 @@
 static const char *const guarantees[] = {"travel", "arrival", "absolute", NULL};
 static const char *const samplings[] = {"adaptive", "geometric", NULL};
 static const char *const methods[] = {"auto", "same-speed", "different-speeds", "general", NULL};
+static const char *const formats[] = {"json", "csv", "geojson", "gpx", NULL};
 static const char *const monotones[] = {"travel", "arrival", NULL};
 
 const WordsArgument *words_arguments(void)
 {
     static const WordsArgument arguments[] = {
-        {"GUARANTEE", guarantees}, {"SAMPLING", samplings}, {"METHOD", methods}, {NULL, NULL}};
+        {"GUARANTEE", guarantees}, {"SAMPLING", samplings}, {"METHOD", methods}, {"FORMAT", formats}, {NULL, NULL}};
     return arguments;
 }
 
@@ -37,6 +38,11 @@ const char *words_sampling(guint32 sampling)
 const char *words_monotone(guint32 monotone)
 {
     return word_of(monotones, monotone);
+}
+
+const char *words_format(guint32 format)
+{
+    return word_of(formats, format);
 }
 
 const char *words_method(guint32 method)
@@ -70,4 +76,9 @@ gboolean words_parse_method(const char *option, const char *word, guint32 *value
 gboolean words_parse_sampling(const char *option, const char *word, guint32 *value, GError **error)
 {
     return parse(samplings, option, word, value, error);
+}
+
+gboolean words_parse_format(const char *option, const char *word, guint32 *value, GError **error)
+{
+    return parse(formats, option, word, value, error);
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every operation of the command on files fails in turn, is done in part, or is where a signal comes (tests/faults/shim.c): what is told, what
-survives, what is left behind. SHIM_EVERY=N: of the steps of long work every N-th only.
+"""Every operation of the command on files fails in turn, is done in part, or is where a signal comes (tests/faults/shim.c), and memory is refused
+to the library in its midst: what is told, what survives, what is left behind. SHIM_EVERY=N: of the steps of long work every N-th only, and the more
+requests for memory have been refused, the fewer of those that follow.
 
 An operation that fails has exit status 4 and a message that names the file and the reason. The old output survives to the byte until the new one
 is whole. Only after SIGKILL may a temporary file be left: .tdsp- and six characters, in the output's directory.
@@ -56,7 +57,9 @@ COMMANDS = {
     "verify": (("verify", "scene.json", "t.tdsp"), None, None),
     "verify again by searching": (("verify", "scene.json", "t.tdsp", "--deep", 3, "--json"), None, None),
 }
-injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0}
+# What a process that a limit or a signal ends has measured would not be written whole.
+UNMEASURED = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}
+injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0, "refusals of memory": 0}
 
 
 def inputs():
@@ -160,6 +163,23 @@ class Command:
         self.left_alone(case)
         injected["signals"] += 1
 
+    def without_memory(self, at):
+        """Request `at` for memory is refused, which is told, unless there is another way. False when there is no such request."""
+        result, log = run(self.name, SHIM_MEMORY=str(at))
+        if not any(kind == "memory" for kind, _ in log):
+            return False
+        case = f"{self.name}, without request {at} for memory"
+        expect(result.status in (0, 4), f"{case}: {result}")
+        if result.status == 4:
+            expect("there is not enough memory" in result.err, f"{case}: untold: {result}")
+            expect(result.out == "", f"{case}: results in spite of failure: {result}")
+        else:
+            expect_equal(without_seconds(result.out), without_seconds(self.clean.out), f"{case}: results")
+        expect_equal(content(self.name), self.new if result.status == 0 else OLD if self.new else None, f"{case}: output")
+        self.left_alone(case)
+        injected["refusals of memory"] += 1
+        return True
+
     def signal_places(self):
         """All operations; of the steps of long work every EVERY-th."""
         steps = [at for at, (kind, _) in enumerate(self.log, 1) if kind == "progress"]
@@ -182,8 +202,17 @@ def disturb(name):
             command.interrupted(at, number)
 
 
+def starve(name):
+    inputs()
+    command = Command(name)
+    at = 1
+    while command.without_memory(at):
+        at += 1 + at * EVERY // 80
+
+
 for one in COMMANDS:
     harness.add(f"{one} survives whatever happens to its files", lambda one=one: disturb(one))
+    harness.add(f"{one} tells when there is no memory", lambda one=one: starve(one))
 
 
 # ------------------------------------------------------------------------------------------------------------- without a shim
@@ -266,12 +295,12 @@ def a_file_over_the_limit_of_sizes_is_told_and_not_died_of():
     write("out", OLD)
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))  # noqa: E731
     for call in (("build", "scene.json", "-o", "out"), ("embed", "t.tdsp", "-o", "out")):
-        ended = subprocess.run([harness.TDSP, *call], preexec_fn=limit, capture_output=True)
+        ended = subprocess.run([harness.TDSP, *call], preexec_fn=limit, env=UNMEASURED, capture_output=True)
         expect_equal(ended.returncode, 4, f"{call}: {ended}")
         expect(b"cannot write out: File too large" in ended.stderr, f"{call}: {ended}")
         expect_equal(pathlib.Path("out").read_bytes(), OLD)
     with open("printed", "wb") as printed:
-        ended = subprocess.run([harness.TDSP, "generate", "crowd", "--n", "99"], preexec_fn=limit, stdout=printed, stderr=subprocess.PIPE)
+        ended = subprocess.run([harness.TDSP, "generate", "crowd", "--n", "99"], preexec_fn=limit, env=UNMEASURED, stdout=printed, stderr=subprocess.PIPE)
     expect_equal(ended.returncode, 4, str(ended))
     expect(b"cannot write standard output: File too large" in ended.stderr, str(ended))
     expect(not [name for name in os.listdir() if TEMPORARY.fullmatch(name)], os.listdir())
@@ -329,7 +358,7 @@ def a_signal_at_any_moment_leaves_the_old_output_or_the_new():
     for i in range(60 // EVERY + 10):
         number = (signal.SIGINT, signal.SIGTERM)[i % 2]
         write("out", OLD)
-        running = subprocess.Popen(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        running = subprocess.Popen(call, env=UNMEASURED, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         time.sleep(whole * ((i * 0.618034) % 1) * 1.1)
         running.send_signal(number)
         running.communicate(timeout=60)

@@ -7,6 +7,9 @@
  *   SHIM_DO=WHAT     ... an errno by number: it fails with that, and nothing was done; `short`: only one byte is read or written; `end`: the
  *                    file ends here; `kill N`: the process is sent that signal before the operation
  *   SHIM_ON=1        ... and at all later operations of its kind
+ *   SHIM_MEMORY=N    the library's N-th request for memory is refused, and has a line of its own
+ *
+ * What coverage writes when the program ends, to files named .profraw, is no operation of the command.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -17,6 +20,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "faults/memory.h"
 #include "tdsp/progress.h"
 
 enum { DO_IT, FAIL, SHORT, END };
@@ -86,9 +90,16 @@ static const char *descriptor_name(int file)
     return text;
 }
 
+static int is_measurement(const char *path)
+{
+    const char *ending = strrchr(path, '.');
+    return ending && strcmp(ending, ".profraw") == 0;
+}
+
 /* The command opens files without making them, so there is no third argument. */
 int __wrap_open(const char *path, int flags, ...)
 {
+    if (is_measurement(path)) return __real_open(path, flags, 0666);
     return decide((flags & O_ACCMODE) == O_RDONLY ? "open" : "open-out", path) == FAIL ? -1 : __real_open(path, flags);
 }
 
@@ -147,4 +158,14 @@ void __wrap_progress_show(Progress *progress, double settled, double all)
 {
     decide("progress", progress->what);
     __real_progress_show(progress, settled, all);
+}
+
+/* Requests come from every thread. */
+int memory_must_fail(void)
+{
+    static long requests;
+    const char *at = getenv("SHIM_MEMORY");
+    if (!at || __atomic_add_fetch(&requests, 1, __ATOMIC_RELAXED) != atol(at)) return 0;
+    log_line("memory", at);
+    return 1;
 }

@@ -29,7 +29,9 @@ TEMPORARY = re.compile(r"\.tdsp-.{6}")
 TOLD = {"open": (errno.EACCES, errno.EMFILE, errno.EIO), "read": (errno.EIO, errno.EISDIR), "print": (errno.ENOSPC, errno.EIO, errno.EPIPE),
         "mkstemp": (errno.ENOSPC, errno.EACCES), "write": (errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG), "fchmod": (errno.EPERM,),
         "fsync": (errno.EIO, errno.ENOSPC), "close-out": (errno.EIO, errno.ENOSPC), "rename": (errno.EACCES, errno.EIO, errno.ENOSPC),
-        "open-out": (errno.EACCES,)}
+        "open-out": (errno.EACCES,), "threads": (errno.EAGAIN,), "draw": (errno.ENOMEM,)}
+STUCK = ("write", "print")  # may also take nothing and say nothing: an I/O error
+CAIRO = {errno.ENOMEM: "out of memory"}
 UNNOTICED = {"open": (errno.EINTR,), "read": (errno.EINTR, "short"), "write": (errno.EINTR, "short"), "print": (errno.EINTR, "short"),
              "close": (errno.EIO,)}
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
@@ -43,6 +45,7 @@ COMMANDS = {
     "plot a scene": (("plot", "scene.json", "-o", "out.svg"), "out.svg", None),
     "plot a table": (("plot", "t.tdsp", "-o", "out.png"), "out.png", None),
     "embed": (("embed", "t.tdsp", "-o", "out.c"), "out.c", None),
+    "embed to a device": (("embed", "t.tdsp", "-o", "/dev/null"), None, None),
     "generate to a file": (("generate", "crowd", "--n", 3, "-o", "out.json"), "out.json", None),
     "generate": (("generate", "crowd", "--n", 3), None, None),
     "query": (("query", "t.tdsp", "--times", "times.csv"), None, None),
@@ -59,6 +62,18 @@ COMMANDS = {
 }
 # What a process that a limit or a signal ends has measured would not be written whole.
 UNMEASURED = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}
+# More that ask the library in other ways: of these the memory is refused, too.
+HUNGRY = {
+    "matrix by two": (("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "out", "--threads", 2), "out", None),
+    "arrive nearly": (("arrive", "scene.json", 0, 5, "--within", 0.1), None, None),
+    "path of a scene": (("path", "scene.json", 5), None, None),
+    "path nearly": (("path", "scene.json", 5, "--within", 0.1, "--json"), None, None),
+    "margin of a departure": (("margin", "scene.json", 5), None, None),
+    "margin of a table's path": (("margin", "scene.json", 5, "--path", "t.tdsp", "--deadline", 90), None, None),
+    "plot with jumps": (("plot", "scene.json", "-o", "out.svg", "--jumps", "--depart", 12), "out.svg", None),
+    "verify a path again by searching": (("verify", "scene.json", "p.json", "--deep", 1), None, None),
+    "verify a matrix": (("verify", "scene.json", "m.tdspm"), None, None),
+}
 injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0, "refusals of memory": 0}
 
 
@@ -68,11 +83,12 @@ def inputs():
     write("to.csv", "10,0,east\n")
     write("times.csv", "0\n5\n# no more\n9\n")
     write("p.json", done("path", "scene.json", 5, "--json").out)
+    done("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--epsilon", 0.5)
 
 
 def run(name, at=None, what=None, **more):
     """The shimmed command in the current folder: its result, and the operations as pairs of kind and object."""
-    arguments, output, stdin = COMMANDS[name]
+    arguments, output, stdin = {**COMMANDS, **HUNGRY}[name]
     if output:
         write(output, OLD)
     pathlib.Path("log").unlink(missing_ok=True)
@@ -87,7 +103,7 @@ def run(name, at=None, what=None, **more):
 
 
 def content(name):
-    output = COMMANDS[name][1]
+    output = {**COMMANDS, **HUNGRY}[name][1]
     return pathlib.Path(output).read_bytes() if output else None
 
 
@@ -98,10 +114,11 @@ def without_seconds(text):
 def file_of(name, log, at):
     """What a message about operation `at` has to name."""
     kind = log[at - 1][0]
-    if kind == "print":
-        return "standard output"
+    if kind in ("print", "threads", "draw"):
+        return {"print": "standard output", "threads": "cannot start 2 threads", "draw": "cannot draw"}[kind]
+    arguments = COMMANDS[name][0]
     if kind not in ("open", "read"):
-        return COMMANDS[name][1]
+        return arguments[arguments.index("-o") + 1]
     if kind == "read" and not any(entry[0] == "open" for entry in log[:at]) or kind == "read" and log[at - 1][1] == "0":
         return "standard input"
     return next(entry[1] for entry in reversed(log[:at]) if entry[0] == "open")
@@ -122,9 +139,10 @@ class Command:
 
     def told(self, at, code):
         result, _ = run(self.name, at, code)
-        kind, case = self.log[at - 1][0], f"{self.name}, operation {at} {self.log[at - 1]}, {errno.errorcode[code]}"
+        kind, case = self.log[at - 1][0], f"{self.name}, operation {at} {self.log[at - 1]}, {code}"
+        reason = CAIRO[code] if kind == "draw" else os.strerror(errno.EIO if code == "end" else code)
         expect_equal(result.status, 4, f"{case}: {result}")
-        for words in (file_of(self.name, self.log, at), os.strerror(code)):
+        for words in (file_of(self.name, self.log, at), reason):
             expect(words in result.err, f"{case}: no {words!r} in {result}")
         expect(kind == "print" or result.out == "", f"{case}: results in spite of failure: {result}")
         expect_equal(content(self.name), self.new if kind == "print" else OLD if self.new else None, f"{case}: output")
@@ -191,7 +209,7 @@ def disturb(name):
     inputs()
     command = Command(name)
     for at, (kind, _) in enumerate(command.log, 1):
-        for code in TOLD.get(kind, ()):
+        for code in TOLD.get(kind, ()) + (("end",) if kind in STUCK else ()):
             command.told(at, code)
         for what in UNNOTICED.get(kind, ()):
             command.unnoticed(at, what)
@@ -212,6 +230,7 @@ def starve(name):
 
 for one in COMMANDS:
     harness.add(f"{one} survives whatever happens to its files", lambda one=one: disturb(one))
+for one in (*COMMANDS, *HUNGRY):
     harness.add(f"{one} tells when there is no memory", lambda one=one: starve(one))
 
 
@@ -233,6 +252,14 @@ def a_full_standard_output_is_noticed_by_every_command_and_by_its_help():
                 continue
             expect_equal(ended.returncode, 4, str(call))
             expect(b"cannot write standard output: No space left on device" in ended.stderr, f"{call}: {ended.stderr}")
+
+
+@test
+def a_standard_stream_that_is_closed_and_cannot_be_replaced_ends_the_command():
+    inputs()
+    environment = {**os.environ, "SHIM_AT": "1", "SHIM_DO": str(int(errno.EACCES))}
+    ended = subprocess.run(["sh", "-c", '"$0" arrive scene.json 0 <&-', SHIMMED], env=environment, capture_output=True)
+    expect_equal((ended.returncode, ended.stdout), (4, b""), str(ended))
 
 
 @test

@@ -12,7 +12,7 @@ FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
 
 # The command with the system's answers changed.
 SHIMMED := $(BUILD)/tests/faults/tdsp
-SHIM_WRAP := -Wl,--wrap=open,--wrap=read,--wrap=write,--wrap=close,--wrap=fsync,--wrap=fchmod,--wrap=rename,--wrap=mkstemp,--wrap=progress_show
+SHIM_WRAP := -Wl,--wrap=open,--wrap=read,--wrap=write,--wrap=close,--wrap=fsync,--wrap=fchmod,--wrap=rename,--wrap=mkstemp,--wrap=progress_show,--wrap=g_thread_pool_new,--wrap=cairo_status,--wrap=cairo_surface_status
 $(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c tests/faults/memory.c) $(STATIC)
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@

@@ -68,6 +68,16 @@ typedef struct tdsp_table {
  */
 TDSP_API tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length);
 
+/**
+ * Open again, in O(1), bytes that tdsp_table_open() has accepted before: at an earlier start, or where firmware was made (`tdsp embed` opens what it
+ * embeds). Nothing is summed up and rows are not looked at. After TDSP_OK no function here can read outside the bytes, whatever they are; but only from
+ * bytes that were accepted, and are still the same, the answers are right.
+ *
+ * @param table   as for tdsp_table_open(), as the rest
+ * @return TDSP_OK; TDSP_INVALID_ARGUMENT; TDSP_BAD_MAGIC, TDSP_BAD_VERSION, TDSP_BAD_LENGTH, TDSP_BAD_TABLE. Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_table_reopen(tdsp_table *table, const void *bytes, size_t length);
+
 typedef struct tdsp_table_info {
     uint16_t version_major;
     uint16_t version_minor;
@@ -124,6 +134,13 @@ TDSP_API tdsp_status tdsp_table_find(const tdsp_table *table, double departure, 
  * Either output may be NULL; both untouched unless TDSP_OK. Errors as tdsp_table_find(). O(log rows). Since 0.1.
  */
 TDSP_API tdsp_status tdsp_table_arrival(const tdsp_table *table, double departure, double *lower, double *upper);
+
+/**
+ * The same in floats, for machines that do doubles in software: an interval of floats that contains tdsp_table_arrival()'s for this departure. Each end
+ * is rounded outward, and wider by at most four units in the last place of a float (below 1.2e-38, the least normal float, by that). A lower end
+ * over the greatest float is that one; an upper end is infinite. Errors as tdsp_table_find(). O(log rows). Since 0.1.
+ */
+TDSP_API tdsp_status tdsp_table_arrival_float(const tdsp_table *table, float departure, float *lower, float *upper);
 
 /**
  * The other direction: leaving at `departure` arrives by `arrival` for certain; no departure after `departure_upper` can. Either output

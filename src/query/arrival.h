@@ -21,7 +21,7 @@ static inline double arrival_lower(const tdsp_table *table, uint64_t row, double
     double right = table_right(table, row - 1);
     if (table->monotone == TDSP_MONOTONE_TRAVEL) return outward_add_down(departure, right);
     double lower = outward_add_down(table_departure(table, row - 1), right);
-    return lower > departure ? lower : departure;
+    return outward_later(lower, departure);
 }
 
 static inline double arrival_upper(const tdsp_table *table, uint64_t row, double departure)

@@ -14,6 +14,7 @@
 #ifndef QUERY_LOCATE_H
 #define QUERY_LOCATE_H
 
+#include "base/soft.h"
 #include "table/guide.h"
 
 static inline uint64_t locate_bits(double x)
@@ -21,6 +22,12 @@ static inline uint64_t locate_bits(double x)
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     return bits;
+}
+
+/* Finding a cell takes arithmetic: in software as long as halving 256 rows. */
+static inline int locate_by_guide(const tdsp_table *table)
+{
+    return SOFT_DOUBLE ? 0 : table->by_departure.bases != 0;
 }
 
 /* Is the departure over 0 and not after the last? One comparison, which also turns away NaN, negative numbers and -0. */
@@ -63,7 +70,7 @@ static inline uint64_t locate_from(const tdsp_table *table, uint64_t cell, uint6
 /* The row of a departure that is inside. */
 static inline uint64_t locate_row(const tdsp_table *table, double departure)
 {
-    if (!table->by_departure.bases) return locate_from(table, 0, table->rows, departure);
+    if (!locate_by_guide(table)) return locate_from(table, 0, table->rows, departure);
     uint64_t cell = locate_cell(table, departure);
     return locate_from(table, cell, locate_start(table, cell), departure);
 }

@@ -9,8 +9,8 @@
  */
 #include <math.h>
 
-#include "base/round.h"
 #include "query/locate.h"
+#include "query/outward.h"
 #include "tdsp/path.h"
 #include "tdsp/table.h"
 
@@ -30,7 +30,7 @@ static tdsp_status path_find(const tdsp_table *table, double departure, query_pa
     out->stored = table_row_path(table, row);
     out->departure = table_departure(table, row);
     out->moved_to = table->monotone == TDSP_MONOTONE_TRAVEL ? departure : out->departure;
-    out->latest = round_add_up(out->moved_to, table_left(table, row));
+    out->latest = outward_add_up(out->moved_to, table_left(table, row));
     return TDSP_OK;
 }
 

@@ -16,9 +16,6 @@ int check_gaps(const tdsp_table *table);
 /* As tdsp_table_open(), but what it gives back when it fails is of no use. */
 tdsp_status table_open_into(tdsp_table *view, const void *bytes, size_t length);
 
-/* Open bytes that tdsp_table_open() has accepted before: only what keeps reads inside the bytes is checked anew. O(1). */
-tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length);
-
 /*
  * Are a curve's numbers in their range, and so that its polynomials have finite coefficients? Its places and the order of its times are not
  * looked at.

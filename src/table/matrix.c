@@ -180,5 +180,5 @@ tdsp_status tdsp_matrix_table(const tdsp_matrix *matrix, uint64_t i, uint64_t j,
     if (status != TDSP_OK) return matrix_is_reason(status) ? (tdsp_status)status : TDSP_BAD_TABLE;
     uint64_t offset = bytes_get_u64(pair + MATRIX_PAIR_AT_OFFSET), length = bytes_get_u64(pair + MATRIX_PAIR_AT_LENGTH);
     if (!sizes_add(offset, length, &end) || end > matrix->length) return TDSP_BAD_TABLE; /* only when the bytes have changed */
-    return table_open_again(table, matrix->bytes + offset, (size_t)length);
+    return tdsp_table_reopen(table, matrix->bytes + offset, (size_t)length);
 }

@@ -205,10 +205,12 @@ tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_t length)
     return status;
 }
 
-tdsp_status table_open_again(tdsp_table *table, const void *bytes, size_t length)
+/* Only what keeps reads inside the bytes is checked anew. */
+tdsp_status tdsp_table_reopen(tdsp_table *table, const void *bytes, size_t length)
 {
     tdsp_table view = {0};
     uint32_t header;
+    if (!table || !bytes) return TDSP_INVALID_ARGUMENT;
     tdsp_status status = open_lengths(bytes, length, &header);
     if (status != TDSP_OK) return status;
     if (!open_view_placed(&view, bytes, length, header)) return TDSP_BAD_TABLE;

@@ -38,6 +38,17 @@ static const char *walk_path(const tdsp_table *table, double departure, double u
     return NULL;
 }
 
+/* Of the departure that t is as a float. */
+static int walk_contains_in_floats(const tdsp_table *table, double t)
+{
+    double lower, upper;
+    float low, high;
+    float departure = (float)t;
+    tdsp_status status = tdsp_table_arrival(table, departure, &lower, &upper);
+    if (status != tdsp_table_arrival_float(table, departure, &low, &high)) return 0;
+    return status != TDSP_OK || (low <= lower && upper <= high);
+}
+
 static const char *walk_arrival(const tdsp_table *table, double t)
 {
     double lower, upper;
@@ -47,6 +58,7 @@ static const char *walk_arrival(const tdsp_table *table, double t)
     if (status != tdsp_table_find(table, t, &row)) return "arrival and find disagree";
     if (status != TDSP_OK) return NULL;
     if (!(t <= upper && lower <= upper)) return "an empty interval";
+    if (!walk_contains_in_floats(table, t)) return "an interval of floats that does not contain that of doubles";
     if (tdsp_table_row(table, row, &stored) != TDSP_OK) return "a row found that does not exist";
     const char *wrong = walk_path(table, t, upper, stored.legs);
     return wrong ? wrong : walk_departure(table, upper);

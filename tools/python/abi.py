@@ -22,10 +22,10 @@ ROOT = HERE.parent.parent
 TARGET = HERE / "src" / "tdsp" / "_abi.py"
 CLANG = ["clang-19", "-std=c99", "-Iinclude", "-x", "c", "include/tdsp/tdsp.h"]
 
-PLAIN = {"double": "ctypes.c_double", "int": "ctypes.c_int", "int32_t": "ctypes.c_int32", "uint16_t": "ctypes.c_uint16",
+PLAIN = {"double": "ctypes.c_double", "float": "ctypes.c_float", "int": "ctypes.c_int", "int32_t": "ctypes.c_int32", "uint16_t": "ctypes.c_uint16",
          "uint32_t": "ctypes.c_uint32", "uint64_t": "ctypes.c_uint64", "size_t": "ctypes.c_size_t", "char": "ctypes.c_char",
          "unsigned char": "ctypes.c_ubyte", "void": "None", "const char *": "ctypes.c_char_p"}
-ANNOTATIONS = {"ctypes.c_double": "float", "ctypes.c_void_p": "Optional[int]"}
+ANNOTATIONS = {"ctypes.c_double": "float", "ctypes.c_float": "float", "ctypes.c_void_p": "Optional[int]"}
 
 HEAD = '''# SPDX-License-Identifier: MIT
 # Written by abi.py from include/tdsp/*.h. Do not edit: `make python-abi` writes it anew.

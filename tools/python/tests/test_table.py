@@ -48,6 +48,25 @@ class TableTest(unittest.TestCase):
             safe, none, status = table.departures(upper)
             self.assertTrue((safe >= times - 1e-9).all() and (none >= safe).all())
 
+    def test_floats_contain_what_doubles_say(self) -> None:
+        table = gate().build(epsilon=0.01)
+        for departure in np.linspace(0, table.info.last_departure * 0.999, 50).astype(np.float32):
+            exact, rounded = table.arrival(float(departure)), table.arrival_float(float(departure))
+            self.assertTrue(rounded.lower <= exact.lower and exact.upper <= rounded.upper)
+            self.assertAlmostEqual(rounded.upper - rounded.lower, exact.upper - exact.lower, delta=2e-5)
+        with self.assertRaises(tdsp.NoWay):
+            table.arrival_float(1e9)
+
+    def test_bytes_accepted_before_are_opened_without_being_checked(self) -> None:
+        stored = bytearray(bytes(gate().build(epsilon=0.01)))
+        self.assertEqual(tdsp.Table(stored, accepted=True).arrival(5.0), tdsp.Table(stored).arrival(5.0))
+        stored[24] ^= 1
+        with self.assertRaises(tdsp.BadChecksum):
+            tdsp.Table(stored)
+        self.assertEqual(len(tdsp.Table(stored, accepted=True)), len(gate().build(epsilon=0.01)))
+        with self.assertRaises(tdsp.BadLength):
+            tdsp.Table(stored[:-8], accepted=True)
+
     def test_threads_and_workers_change_no_byte(self) -> None:
         scene = tdsp.Scene.load(SCENES / "fire-oregon-c.json")
         table = scene.build()

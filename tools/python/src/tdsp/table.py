@@ -67,6 +67,8 @@ class Table:
     Any number of threads may read one table, and questions let go of the interpreter's lock.
 
     :param buffer: the table's bytes; kept alive by the table
+    :param accepted: a table was opened over these bytes before, and they are still the same: they are not checked again, which takes time in proportion to
+        their length. Questions to other bytes stay inside them, but their answers mean nothing.
     :raises DataError: what is wrong with the bytes: `BadMagic`, `BadVersion`, `BadLength`, `BadChecksum`, `BadTable`
 
     >>> import tdsp
@@ -78,12 +80,13 @@ class Table:
     True
     """
 
-    def __init__(self, buffer: Any, *, _report: Optional[BuildReport] = None, _about: str = "table") -> None:
+    def __init__(self, buffer: Any, *, accepted: bool = False, _report: Optional[BuildReport] = None, _about: str = "table") -> None:
         self._bytes = view(buffer)
         self._struct: Optional[_abi.tdsp_table] = _abi.tdsp_table()
         #: What building it cost; None for a table that was opened.
         self.report = _report
-        check(lib.tdsp_table_open(ctypes.byref(self._struct), address(self._bytes), len(self._bytes)), _about)
+        opening = lib.tdsp_table_reopen if accepted else lib.tdsp_table_open
+        check(opening(ctypes.byref(self._struct), address(self._bytes), len(self._bytes)), _about)
 
     @classmethod
     def open(cls, path: PathLike) -> Table:
@@ -173,6 +176,15 @@ class Table:
         """
         lower, upper = ctypes.c_double(), ctypes.c_double()
         check(lib.tdsp_table_arrival(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure!r}")
+        return Interval(lower.value, upper.value)
+
+    def arrival_float(self, departure: float) -> Interval:
+        """What firmware that works in floats answers: `arrival` of the departure taken as a float, each end rounded outward to a float.
+
+        :raises NoWay: why there is no answer at this departure
+        """
+        lower, upper = ctypes.c_float(), ctypes.c_float()
+        check(lib.tdsp_table_arrival_float(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure!r}")
         return Interval(lower.value, upper.value)
 
     def departure(self, arrival: float) -> Departure:

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Tasks over probes; what the tasks are is the samplers' business. */
+/* Tasks over probes; what the tasks are is the samplers' business. Where there are workers there is at least one (tdsp_build()). */
 #include "build/crew.h"
 
 #include "scene/allocator.h"
@@ -20,10 +20,8 @@ tdsp_status crew_begin(crew *c, sampler *s)
     if (!c->probes) return TDSP_NO_MEMORY;
     c->count = options->worker_count;
     for (size_t i = 0; i < c->count; i++) c->probes[i] = hire(s, &options->workers[i]);
-    if (c->count > 0) {
-        c->probes[0].progress = s->probe.progress;
-        c->probes[0].progress_ctx = s->probe.progress_ctx;
-    }
+    c->probes[0].progress = s->probe.progress;
+    c->probes[0].progress_ctx = s->probe.progress_ctx;
     return TDSP_OK;
 }
 
@@ -54,13 +52,10 @@ tdsp_status crew_run(const crew *c, tdsp_task task, void *ctx, size_t count)
 {
     const tdsp_build_options *options = c->sampler->options;
     if (!crew_is_alone(c)) {
-        if (c->count > 0) {
-            c->probes[0].settled = c->sampler->probe.settled;
-            c->probes[0].all = c->sampler->probe.all;
-        }
+        c->probes[0].settled = c->sampler->probe.settled;
+        c->probes[0].all = c->sampler->probe.all;
         options->run_tasks(options->run_tasks_ctx, task, ctx, count);
-        const int is_cancelled = c->count > 0 && c->probes[0].is_cancelled;
-        return is_cancelled ? TDSP_CANCELLED : probe_report_progress(&c->sampler->probe);
+        return c->probes[0].is_cancelled ? TDSP_CANCELLED : probe_report_progress(&c->sampler->probe);
     }
     for (size_t i = 0; i < count; i++) task(ctx, i, 0);
     return TDSP_OK;

@@ -196,8 +196,3 @@ double probe_travel_upper(const probe *p, const sample *s)
 {
     return p->by_arrival ? fmax(s->upper - s->departure, 0) : s->upper;
 }
-
-double probe_travel_lower(const probe *p, const sample *s)
-{
-    return p->by_arrival ? fmax(s->lower - s->departure, 0) : s->lower;
-}

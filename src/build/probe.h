@@ -92,8 +92,7 @@ double probe_margin(const probe *p, double arrival);
 /* Ask whether to go on: TDSP_OK or TDSP_CANCELLED. */
 tdsp_status probe_report_progress(probe *p);
 
-/* A sample's travel time bounds, whatever its value is. */
+/* A sample's travel time at most, whatever its value is. */
 double probe_travel_upper(const probe *p, const sample *s);
-double probe_travel_lower(const probe *p, const sample *s);
 
 #endif

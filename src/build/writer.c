@@ -188,7 +188,7 @@ static double writer_cells_per_row(const writer *w, size_t section)
     return w->row_count < WRITER_LARGE ? WRITER_CELLS_MEDIUM : WRITER_CELLS_LARGE;
 }
 
-/* None where the span is 0 or so small or large that a cell's length is no double. */
+/* None where the span is 0 or so small that the cells in a unit are no double. */
 static writer_guide writer_lay_out_guide(const writer *w, size_t section)
 {
     writer_guide none = {0, 0, 0};
@@ -196,7 +196,7 @@ static writer_guide writer_lay_out_guide(const writer *w, size_t section)
     writer_guide guide = {0, writer_key(w, section, 0), 0};
     double last = writer_key(w, section, w->row_count - 1);
     guide.scale = writer_cells_per_row(w, section) * (double)w->row_count / (last - guide.first);
-    if (!(guide.scale > 0) || !round_is_finite(guide.scale)) return none;
+    if (!round_is_finite(guide.scale)) return none;
     guide.cells = guide_cell(guide.first, guide.scale, last) + 1;
     return guide;
 }

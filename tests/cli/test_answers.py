@@ -6,7 +6,7 @@ import math
 import os
 import pathlib
 
-from harness import GAP_CLOSES, LAST, ROOT, SCENES, TWO_DISCS, done, expect, expect_equal, expect_near, fails, main, scene, tdsp, test
+from harness import GAP_CLOSES, LAST, ROOT, SCENES, TWO_DISCS, built, done, expect, expect_equal, expect_near, fails, main, scene, tdsp, test, write
 
 STATUSES = {"ok", "source_covered", "destination_covered", "cut_off", "arrival_too_early", "horizon", "outside_table", "unreachable"}
 
@@ -237,6 +237,15 @@ def the_locale_changes_no_number():
         os.environ.pop("LC_ALL")
         if before is not None:
             os.environ["LC_ALL"] = before
+
+
+
+@test
+def a_path_of_a_scene_that_is_none_is_refused_and_a_departure_of_a_table_without_one_says_so():
+    fails(3, ["scene.json", "source"], "path", write("scene.json", '{"robot": {"speed": 1}}'), 5)
+    text = done("path", built(), 1000, status=1).out
+    expect(text.startswith("# departure 1000  arrival inf  "), text)
+    expect_equal(text.count("# row"), 0)
 
 
 main()

@@ -186,4 +186,13 @@ def names_that_the_locale_cannot_write_are_names():
         expect_equal(found.returncode, 0, f"{arguments}: {found.stderr}")
 
 
+@test
+def a_circle_of_links_is_no_output_and_stays():
+    table = built()
+    os.symlink("a", "b")
+    os.symlink("b", "a")
+    fails(4, ["cannot write a: Too many levels of symbolic links"], "embed", table, "-o", "a")
+    expect_equal((os.readlink("a"), os.readlink("b")), ("b", "a"))
+
+
 main()

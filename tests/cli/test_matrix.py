@@ -148,5 +148,26 @@ def other_ends_are_those_of_a_scene_with_them():
         fails(2, [], "arrive", "scene.json", 0, f"--from={wrong}")
 
 
+    
+
+
+@test
+def a_pair_without_a_table_answers_arrivals_too_and_an_empty_name_is_none():
+    matrix()
+    answers = done("query", "m.tdspm", "--from", 2, "--to", 0, "--arrive-by", 20, 30, "--json", status=1).json["results"]
+    expect_equal([answer["status"] for answer in answers], ["source_covered"] * 2)
+    fails(2, ['--from ""', "no name"], "query", "m.tdspm", 5, "--from", "", "--to", 0)
+
+
+@test
+def a_pair_whose_source_is_covered_elsewhere_is_a_problem():
+    write("from.csv", "-10,0\n")
+    write("to.csv", "10,0\n0,3\n")
+    done("matrix", scene(), "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--horizon", 3)
+    other = scene("other.json", discs=[{"center": [-10, 0], "radius": 1, "growth": 0}])
+    report = done("verify", other, "m.tdspm", status=1).out
+    expect("but the source is covered" in report, report)
+
+
 if __name__ == "__main__":
     main()

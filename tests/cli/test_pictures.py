@@ -7,7 +7,7 @@ import struct
 import xml.etree.ElementTree as xml
 import zlib
 
-from harness import SCENES, built, done, expect, expect_equal, fails, main, scene, test, write
+from harness import ROOT, SCENES, TWO_DISCS, built, done, expect, expect_equal, fails, main, scene, test, write
 
 
 def png_size(name):
@@ -117,7 +117,9 @@ def json_tells_what_was_drawn():
 @test
 def scenes_of_every_shape_are_drawn():
     far = {"center": [1e9, 1e9], "radius": 1e8, "growth": 0}
-    shapes = {"one place": {"destination": [-10, 0]}, "no discs": {"discs": []}, "one far disc": {"discs": [far]},
+    point = {"center": [9, 9], "radius": 0, "growth": 0}
+    shapes = {"one place": {"destination": [-10, 0]}, "one empty place": {"destination": [-10, 0], "discs": []},
+              "one place and a point": {"destination": [-10, 0], "discs": [point]}, "no discs": {"discs": []}, "one far disc": {"discs": [far]},
               "points": {"discs": [{"center": [0, 0], "radius": 0, "growth": 0}]},
               "inside": {"discs": [{"center": [0, 0], "radius": 1e6, "growth": 0}]},
               "upright": {"source": [0, 0], "destination": [0, 1000], "discs": []},
@@ -151,6 +153,59 @@ def tables_of_every_shape_are_drawn():
 @test
 def a_file_that_is_nothing_is_refused():
     fails(3, ["neither JSON nor a table"], "plot", write("x", "hello"), "-o", "a.svg")
+
+
+@test
+def tables_of_every_make_are_drawn_and_told():
+    """With jumps at the last row, without known gaps, with and without units, of one row, of bytes for paths."""
+    for folder in ("independent/golden", "golden/answered"):
+        for table in sorted((ROOT / "tests" / folder).glob("*.tdsp")):
+            report = done("info", table, "--json").json
+            text = done("info", table).out
+            done("plot", table, "-o", "a.svg")
+            expect(svg_counts("a.svg").get("path", 0) > 5, f"{table}: hardly anything was drawn")
+            known = [jump for jump in report["jumps"] if jump["first"] is not None]
+            expect_equal(text.count(" close at "), len(known), f"{table}: {text}")
+
+
+FOUR = [*TWO_DISCS["discs"], {"center": [0, 9], "radius": 1, "growth": 0.05}, {"center": [0, -14], "radius": 1, "growth": 0.12}]
+
+
+@test
+def jumps_of_several_sizes_are_labelled_in_tables_and_scenes():
+    for units in ({"time": "s"}, {}):
+        scene(discs=FOUR, units=units)
+        expect_equal(len(done("jumps", "scene.json").rows()), 2, "jumps")
+        done("plot", "scene.json", "-o", "a.svg", "--jumps")
+        done("build", "scene.json", "-o", "t.tdsp")
+        done("plot", "t.tdsp", "-o", "b.svg")
+        for name in ("a.svg", "b.svg"):
+            svg_counts(name)
+
+
+@test
+def a_legend_wider_than_the_picture_goes_on_in_a_second_line():
+    turned = [{**disc, "center": disc["center"][::-1]} for disc in TWO_DISCS["discs"]]
+    upright = scene(source=[0, -10], destination=[0, 10], discs=turned, units={"length": "cubits of Nippur", "time": "watches of the night"})
+    done("plot", upright, "-o", "a.svg", "--jumps", "--depart", 12)
+    svg_counts("a.svg")
+
+
+@test
+def a_path_that_begins_with_a_ride_or_just_before_a_tick_is_drawn():
+    edge = scene(source=[-3, 0], discs=[{"center": [0, 0], "radius": 3, "growth": 0}])
+    expect_equal(done("path", edge, 0, "--json").json["legs"][0]["type"], "arc")
+    done("plot", edge, "-o", "a.svg")
+    done("plot", scene(), "-o", "b.svg", "--depart", 1.9)
+    for name in ("a.svg", "b.svg"):
+        svg_counts(name)
+
+
+@test
+def json_tells_the_departure_marked_in_a_table():
+    report = done("plot", built(), "-o", "a.svg", "--depart", 5, "--json").json
+    expect_equal((report["of"], report["departure"], report["status"]), ("table", 5, "ok"))
+    expect(25 <= report["arrival"] <= 25.3, report)
 
 
 main()

@@ -222,4 +222,29 @@ def a_full_lap_and_more_is_read_back():
     done("verify", "scene.json", write("lap.json", json.dumps(path)), status=1)
 
 
+@test
+def a_path_is_solved_again_also_where_there_is_none_or_it_takes_no_time():
+    write("none.json", done("path", scene(), 1000, "--json", status=1).out)
+    result = done("verify", "scene.json", "none.json", "--deep", 1, status=1)
+    expect_equal(result.out.count("problem:"), 1, result)
+    one = scene("one.json", destination=[-10, 0])
+    write("still.json", done("path", one, 3, "--json").out)
+    expect("the path takes 1 times the least travel time" in done("verify", one, "still.json", "--deep", 1).out, "still")
+
+
+@test
+def one_bad_row_is_told_as_one_and_many_as_many():
+    done("build", scene(), "-o", "one.tdsp", "--horizon", 0)
+    done("build", "scene.json", "-o", "many.tdsp")
+    scene(discs=[{"center": [0, 0], "radius": 2, "growth": 0.1}])
+    expect("1 row with a path that was rejected" in done("verify", "scene.json", "one.tdsp", status=1).out, "one")
+    expect("rows with a path that was rejected" in done("verify", "scene.json", "many.tdsp", status=1).out, "many")
+
+
+@test
+def without_discs_the_text_names_none():
+    done("build", scene(discs=[]), "-o", "t.tdsp", "--horizon", 5)
+    expect("clearance:" not in done("verify", "scene.json", "t.tdsp").out, "text")
+
+
 main()

@@ -15,7 +15,8 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 # What clang counts as a branch without anything to decide: labels of a switch are taken or not, constants are folded.
 LABEL = re.compile(r"(case\b|default\b)")
-CONSTANT = re.compile(r"\(*(0|1|true|false)\)*")
+# GLib's g_new() asks whether its number is known to the compiler.
+CONSTANT = re.compile(r"\(*(0|1|true|false)\)*|g_new0?(\(.*\))?")
 
 JOINED = 6  # clang's kind of region for a condition of a decision
 

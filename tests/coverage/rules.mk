@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Coverage of branches and conditions, by clang: every test program and every script of the command run in a build of its own.
+# Coverage of branches and conditions, by clang: every test program, every script of the command and the tests of faults run in a build of their own.
 # `coverage` measures all of it; `check` measures the freestanding line by the unit tests, which must cover it by themselves.
 ifdef COVERAGE
 CFLAGS += -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc
@@ -9,6 +9,7 @@ export LLVM_PROFILE_FILE := $(abspath $(BUILD))/profiles/%m.profraw
 endif
 COVERAGE_BUILD := $(BUILD)/coverage
 COVERAGE_MAKE = $(MAKE) --no-print-directory -s COVERAGE=1 CC=$(CLANG) OPTIMIZE=-O1 BUILD=$(COVERAGE_BUILD) CHECK=$(COVERAGE_BUILD)/check VARIANT=coverage
+COVERAGE_MAKE += SHIM_EVERY=5 FAULTS_SHORT="FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=4 FAULTS_ONCE_ONLY=1 FAULTS_STOP=2000"
 COVERAGE_REPORT = $(PYTHON) tests/coverage/report.py --profiles $(COVERAGE_BUILD)/profiles
 
 # The freestanding line by itself, and the unit tests that are about it: those must cover it without the help of others.
@@ -39,7 +40,7 @@ $(CHECK)/coverage-line.result: $(STATIC) $(SUPPORT) $(COMMAND_PARTS) ; $(RUN) $(
 coverage: ## measure lines, branches and conditions covered by all tests, and compare with tests/coverage/uncovered.csv
 	@tools/setup/packages.sh check
 	@rm -rf $(COVERAGE_BUILD)/profiles $(COVERAGE_BUILD)/check
-	+@$(COVERAGE_MAKE) all tests
-	+@$(COVERAGE_MAKE) -k run-tests
+	+@$(COVERAGE_MAKE) all tests faulty-programs
+	+@$(COVERAGE_MAKE) -k run-tests run-faults $(COVERAGE_BUILD)/check/file-faults.result
 	@tests/summary.sh $(COVERAGE_BUILD)/check
 	@$(COVERAGE_REPORT) $(COVERAGE_BUILD)/libtdsp.so $(COVERAGE_BUILD)/tdsp

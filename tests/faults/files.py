@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Every operation of the command on files fails in turn, is done in part, or is where a signal comes (tests/faults/shim.c): what is told, what
-survives, what is left behind. SHIM_EVERY=N: of the steps of long work every N-th only.
+"""Every operation of the command on files fails in turn, is done in part, or is where a signal comes (tests/faults/shim.c), and memory is refused
+to the library in its midst: what is told, what survives, what is left behind. SHIM_EVERY=N: of the steps of long work every N-th only, and the more
+requests for memory have been refused, the fewer of those that follow.
 
 An operation that fails has exit status 4 and a message that names the file and the reason. The old output survives to the byte until the new one
 is whole. Only after SIGKILL may a temporary file be left: .tdsp- and six characters, in the output's directory.
@@ -28,7 +29,9 @@ TEMPORARY = re.compile(r"\.tdsp-.{6}")
 TOLD = {"open": (errno.EACCES, errno.EMFILE, errno.EIO), "read": (errno.EIO, errno.EISDIR), "print": (errno.ENOSPC, errno.EIO, errno.EPIPE),
         "mkstemp": (errno.ENOSPC, errno.EACCES), "write": (errno.ENOSPC, errno.EIO, errno.EDQUOT, errno.EFBIG), "fchmod": (errno.EPERM,),
         "fsync": (errno.EIO, errno.ENOSPC), "close-out": (errno.EIO, errno.ENOSPC), "rename": (errno.EACCES, errno.EIO, errno.ENOSPC),
-        "open-out": (errno.EACCES,)}
+        "open-out": (errno.EACCES,), "threads": (errno.EAGAIN,), "draw": (errno.ENOMEM,)}
+STUCK = ("write", "print")  # may also take nothing and say nothing: an I/O error
+CAIRO = {errno.ENOMEM: "out of memory"}
 UNNOTICED = {"open": (errno.EINTR,), "read": (errno.EINTR, "short"), "write": (errno.EINTR, "short"), "print": (errno.EINTR, "short"),
              "close": (errno.EIO,)}
 SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL)
@@ -42,6 +45,7 @@ COMMANDS = {
     "plot a scene": (("plot", "scene.json", "-o", "out.svg"), "out.svg", None),
     "plot a table": (("plot", "t.tdsp", "-o", "out.png"), "out.png", None),
     "embed": (("embed", "t.tdsp", "-o", "out.c"), "out.c", None),
+    "embed to a device": (("embed", "t.tdsp", "-o", "/dev/null"), None, None),
     "generate to a file": (("generate", "crowd", "--n", 3, "-o", "out.json"), "out.json", None),
     "generate": (("generate", "crowd", "--n", 3), None, None),
     "query": (("query", "t.tdsp", "--times", "times.csv"), None, None),
@@ -56,7 +60,21 @@ COMMANDS = {
     "verify": (("verify", "scene.json", "t.tdsp"), None, None),
     "verify again by searching": (("verify", "scene.json", "t.tdsp", "--deep", 3, "--json"), None, None),
 }
-injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0}
+# What a process that a limit or a signal ends has measured would not be written whole.
+UNMEASURED = {**os.environ, "LLVM_PROFILE_FILE": os.devnull}
+# More that ask the library in other ways: of these the memory is refused, too.
+HUNGRY = {
+    "matrix by two": (("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "out", "--threads", 2), "out", None),
+    "arrive nearly": (("arrive", "scene.json", 0, 5, "--within", 0.1), None, None),
+    "path of a scene": (("path", "scene.json", 5), None, None),
+    "path nearly": (("path", "scene.json", 5, "--within", 0.1, "--json"), None, None),
+    "margin of a departure": (("margin", "scene.json", 5), None, None),
+    "margin of a table's path": (("margin", "scene.json", 5, "--path", "t.tdsp", "--deadline", 90), None, None),
+    "plot with jumps": (("plot", "scene.json", "-o", "out.svg", "--jumps", "--depart", 12), "out.svg", None),
+    "verify a path again by searching": (("verify", "scene.json", "p.json", "--deep", 1), None, None),
+    "verify a matrix": (("verify", "scene.json", "m.tdspm"), None, None),
+}
+injected = {"told": 0, "unnoticed": 0, "ended": 0, "signals": 0, "refusals of memory": 0}
 
 
 def inputs():
@@ -65,11 +83,12 @@ def inputs():
     write("to.csv", "10,0,east\n")
     write("times.csv", "0\n5\n# no more\n9\n")
     write("p.json", done("path", "scene.json", 5, "--json").out)
+    done("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--epsilon", 0.5)
 
 
 def run(name, at=None, what=None, **more):
     """The shimmed command in the current folder: its result, and the operations as pairs of kind and object."""
-    arguments, output, stdin = COMMANDS[name]
+    arguments, output, stdin = {**COMMANDS, **HUNGRY}[name]
     if output:
         write(output, OLD)
     pathlib.Path("log").unlink(missing_ok=True)
@@ -84,7 +103,7 @@ def run(name, at=None, what=None, **more):
 
 
 def content(name):
-    output = COMMANDS[name][1]
+    output = {**COMMANDS, **HUNGRY}[name][1]
     return pathlib.Path(output).read_bytes() if output else None
 
 
@@ -95,10 +114,11 @@ def without_seconds(text):
 def file_of(name, log, at):
     """What a message about operation `at` has to name."""
     kind = log[at - 1][0]
-    if kind == "print":
-        return "standard output"
+    if kind in ("print", "threads", "draw"):
+        return {"print": "standard output", "threads": "cannot start 2 threads", "draw": "cannot draw"}[kind]
+    arguments = COMMANDS[name][0]
     if kind not in ("open", "read"):
-        return COMMANDS[name][1]
+        return arguments[arguments.index("-o") + 1]
     if kind == "read" and not any(entry[0] == "open" for entry in log[:at]) or kind == "read" and log[at - 1][1] == "0":
         return "standard input"
     return next(entry[1] for entry in reversed(log[:at]) if entry[0] == "open")
@@ -119,9 +139,10 @@ class Command:
 
     def told(self, at, code):
         result, _ = run(self.name, at, code)
-        kind, case = self.log[at - 1][0], f"{self.name}, operation {at} {self.log[at - 1]}, {errno.errorcode[code]}"
+        kind, case = self.log[at - 1][0], f"{self.name}, operation {at} {self.log[at - 1]}, {code}"
+        reason = CAIRO[code] if kind == "draw" else os.strerror(errno.EIO if code == "end" else code)
         expect_equal(result.status, 4, f"{case}: {result}")
-        for words in (file_of(self.name, self.log, at), os.strerror(code)):
+        for words in (file_of(self.name, self.log, at), reason):
             expect(words in result.err, f"{case}: no {words!r} in {result}")
         expect(kind == "print" or result.out == "", f"{case}: results in spite of failure: {result}")
         expect_equal(content(self.name), self.new if kind == "print" else OLD if self.new else None, f"{case}: output")
@@ -160,6 +181,23 @@ class Command:
         self.left_alone(case)
         injected["signals"] += 1
 
+    def without_memory(self, at):
+        """Request `at` for memory is refused, which is told, unless there is another way. False when there is no such request."""
+        result, log = run(self.name, SHIM_MEMORY=str(at))
+        if not any(kind == "memory" for kind, _ in log):
+            return False
+        case = f"{self.name}, without request {at} for memory"
+        expect(result.status in (0, 4), f"{case}: {result}")
+        if result.status == 4:
+            expect("there is not enough memory" in result.err, f"{case}: untold: {result}")
+            expect(result.out == "", f"{case}: results in spite of failure: {result}")
+        else:
+            expect_equal(without_seconds(result.out), without_seconds(self.clean.out), f"{case}: results")
+        expect_equal(content(self.name), self.new if result.status == 0 else OLD if self.new else None, f"{case}: output")
+        self.left_alone(case)
+        injected["refusals of memory"] += 1
+        return True
+
     def signal_places(self):
         """All operations; of the steps of long work every EVERY-th."""
         steps = [at for at, (kind, _) in enumerate(self.log, 1) if kind == "progress"]
@@ -171,7 +209,7 @@ def disturb(name):
     inputs()
     command = Command(name)
     for at, (kind, _) in enumerate(command.log, 1):
-        for code in TOLD.get(kind, ()):
+        for code in TOLD.get(kind, ()) + (("end",) if kind in STUCK else ()):
             command.told(at, code)
         for what in UNNOTICED.get(kind, ()):
             command.unnoticed(at, what)
@@ -182,8 +220,18 @@ def disturb(name):
             command.interrupted(at, number)
 
 
+def starve(name):
+    inputs()
+    command = Command(name)
+    at = 1
+    while command.without_memory(at):
+        at += 1 + at * EVERY // 80
+
+
 for one in COMMANDS:
     harness.add(f"{one} survives whatever happens to its files", lambda one=one: disturb(one))
+for one in (*COMMANDS, *HUNGRY):
+    harness.add(f"{one} tells when there is no memory", lambda one=one: starve(one))
 
 
 # ------------------------------------------------------------------------------------------------------------- without a shim
@@ -204,6 +252,14 @@ def a_full_standard_output_is_noticed_by_every_command_and_by_its_help():
                 continue
             expect_equal(ended.returncode, 4, str(call))
             expect(b"cannot write standard output: No space left on device" in ended.stderr, f"{call}: {ended.stderr}")
+
+
+@test
+def a_standard_stream_that_is_closed_and_cannot_be_replaced_ends_the_command():
+    inputs()
+    environment = {**os.environ, "SHIM_AT": "1", "SHIM_DO": str(int(errno.EACCES))}
+    ended = subprocess.run(["sh", "-c", '"$0" arrive scene.json 0 <&-', SHIMMED], env=environment, capture_output=True)
+    expect_equal((ended.returncode, ended.stdout), (4, b""), str(ended))
 
 
 @test
@@ -266,12 +322,12 @@ def a_file_over_the_limit_of_sizes_is_told_and_not_died_of():
     write("out", OLD)
     limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512))  # noqa: E731
     for call in (("build", "scene.json", "-o", "out"), ("embed", "t.tdsp", "-o", "out")):
-        ended = subprocess.run([harness.TDSP, *call], preexec_fn=limit, capture_output=True)
+        ended = subprocess.run([harness.TDSP, *call], preexec_fn=limit, env=UNMEASURED, capture_output=True)
         expect_equal(ended.returncode, 4, f"{call}: {ended}")
         expect(b"cannot write out: File too large" in ended.stderr, f"{call}: {ended}")
         expect_equal(pathlib.Path("out").read_bytes(), OLD)
     with open("printed", "wb") as printed:
-        ended = subprocess.run([harness.TDSP, "generate", "crowd", "--n", "99"], preexec_fn=limit, stdout=printed, stderr=subprocess.PIPE)
+        ended = subprocess.run([harness.TDSP, "generate", "crowd", "--n", "99"], preexec_fn=limit, env=UNMEASURED, stdout=printed, stderr=subprocess.PIPE)
     expect_equal(ended.returncode, 4, str(ended))
     expect(b"cannot write standard output: File too large" in ended.stderr, str(ended))
     expect(not [name for name in os.listdir() if TEMPORARY.fullmatch(name)], os.listdir())
@@ -329,7 +385,7 @@ def a_signal_at_any_moment_leaves_the_old_output_or_the_new():
     for i in range(60 // EVERY + 10):
         number = (signal.SIGINT, signal.SIGTERM)[i % 2]
         write("out", OLD)
-        running = subprocess.Popen(call, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        running = subprocess.Popen(call, env=UNMEASURED, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         time.sleep(whole * ((i * 0.618034) % 1) * 1.1)
         running.send_signal(number)
         running.communicate(timeout=60)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Wrapped allocations: which fail, and in whom. */
+/* Which allocations fail, and in whom. */
 #include "faults/inject.h"
 
 #include <signal.h>
@@ -14,7 +14,12 @@
 
 #include <sanitizer/lsan_interface.h>
 
-#include "scene/allocator.h"
+#include "faults/memory.h"
+
+/* There only where a sanitizer or the measuring of coverage brings them. */
+#pragma weak __lsan_do_recoverable_leak_check
+#pragma weak __llvm_profile_write_file
+int __llvm_profile_write_file(void);
 
 enum { PATHS = 1 << 16, PATIENCE = 500 };
 
@@ -41,9 +46,15 @@ int inject_is_victim(void)
     return now.victim;
 }
 
+void inject_leave(int status)
+{
+    if (__llvm_profile_write_file) __llvm_profile_write_file();
+    _exit(status);
+}
+
 void inject_end_victim(int status)
 {
-    _exit(__lsan_do_recoverable_leak_check() ? VICTIM_LEAKED : status);
+    inject_leave(__lsan_do_recoverable_leak_check && __lsan_do_recoverable_leak_check() ? VICTIM_LEAKED : status);
 }
 
 /* The return addresses on the way up to the test, from the wrapper's caller on. Frames are read raw: their red zones are not ours to respect. */
@@ -159,7 +170,7 @@ static int fail_again(void)
     return 1;
 }
 
-static int must_fail(void)
+int memory_must_fail(void)
 {
     if (now.victim) return now.fail_all && fail_again();
     if (!now.tally) return 0;
@@ -170,7 +181,7 @@ static int must_fail(void)
     if (now.plan.stop && now.tally->allocations >= now.plan.stop) {
         now.tally->stopped = 1;
         fflush(NULL);
-        _exit(0);
+        inject_leave(0);
     }
     uint64_t number = ++now.tally->allocations, met = count_path(path_hash());
     if (!is_chosen(number, met)) return 0;
@@ -196,40 +207,4 @@ __attribute__((constructor)) static void share_paths(void)
 {
     paths = mmap(NULL, PATHS * sizeof *paths, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (paths == MAP_FAILED) abort();
-}
-
-/* ------------------------------------------------------------------------------------ what the linker puts before the allocator's functions */
-
-void *__real_memory_resize(const tdsp_allocator *allocator, void *block, size_t old_size, size_t new_size);
-void *__real_memory_array(const tdsp_allocator *allocator, size_t count, size_t item);
-tdsp_status __real_memory_reserve(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t needed, size_t item);
-tdsp_status __real_memory_shrink(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t count, size_t item);
-
-void *__wrap_memory_resize(const tdsp_allocator *allocator, void *block, size_t old_size, size_t new_size);
-void *__wrap_memory_array(const tdsp_allocator *allocator, size_t count, size_t item);
-tdsp_status __wrap_memory_reserve(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t needed, size_t item);
-tdsp_status __wrap_memory_shrink(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t count, size_t item);
-
-void *__wrap_memory_resize(const tdsp_allocator *allocator, void *block, size_t old_size, size_t new_size)
-{
-    if (new_size > 0 && must_fail()) return NULL;
-    return __real_memory_resize(allocator, block, old_size, new_size);
-}
-
-void *__wrap_memory_array(const tdsp_allocator *allocator, size_t count, size_t item)
-{
-    if (count > 0 && count <= SIZE_MAX / item && must_fail()) return NULL;
-    return __real_memory_array(allocator, count, item);
-}
-
-tdsp_status __wrap_memory_reserve(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t needed, size_t item)
-{
-    if (needed > *capacity && must_fail()) return TDSP_NO_MEMORY;
-    return __real_memory_reserve(allocator, block, capacity, needed, item);
-}
-
-tdsp_status __wrap_memory_shrink(const tdsp_allocator *allocator, void **block, size_t *capacity, size_t count, size_t item)
-{
-    if (count < *capacity && count > 0 && must_fail()) return TDSP_NO_MEMORY;
-    return __real_memory_shrink(allocator, block, capacity, count, item);
 }

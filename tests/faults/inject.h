@@ -3,7 +3,7 @@
  * Failing the library's allocations under a CMocka test, each in a process of its own.
  *
  * Everything that the library allocates goes through src/scene/allocator.h (tests/check_objects.py holds it to that), so that is where these
- * programs are cut open, by the linker's --wrap. The test runs once. At each allocation it forks: in the child, the victim, the allocation fails
+ * programs are cut open (memory.h). The test runs once. At each allocation it forks: in the child, the victim, the allocation fails
  * and the test goes on as it can; the test itself goes on with memory. So each victim costs what comes after its failure, not what came before.
  */
 #ifndef FAULTS_INJECT_H
@@ -45,6 +45,9 @@ typedef struct inject_plan {
 /* From here on allocations of this process are counted, and fail in victims. `stack_top` is the address of a frame above the test's. */
 void inject_begin(const inject_plan *plan, inject_tally *tally, const char *test, const void *stack_top, int log);
 void inject_end(void);
+
+/* The end of a process that runs a test: what it covered is kept. */
+void inject_leave(int status);
 
 /* Is this process a victim? Then this ends it. */
 int inject_is_victim(void);

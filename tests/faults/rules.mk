@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: MIT
 # Faults: allocations that fail, files that cannot be read or written, and interruptions.
 #
-# Every test with CMocka's runner is linked a second time, with ours and the allocator's functions wrapped (inject.h).
+# Every test with CMocka's runner is linked a second time, with ours and the allocator's functions wrapped (inject.h, memory.h).
 FAULTY := $(patsubst tests/%.c,$(BUILD)/tests/faults/%,$(filter tests/unit/% tests/property/%,$(TEST_SOURCES)))
-FAULTY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
+MEMORY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
 $(BUILD)/obj/tests/faults/%.o: POSIX += -D_DEFAULT_SOURCE
-$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/inject.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
+$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $(FAULTY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
+	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
 FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
 
 # The command with the system's answers changed.
 SHIMMED := $(BUILD)/tests/faults/tdsp
-SHIM_WRAP := -Wl,--wrap=open,--wrap=read,--wrap=write,--wrap=close,--wrap=fsync,--wrap=fchmod,--wrap=rename,--wrap=mkstemp,--wrap=progress_show
-$(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c) $(STATIC)
+SHIM_WRAP := -Wl,--wrap=open,--wrap=read,--wrap=write,--wrap=close,--wrap=fsync,--wrap=fchmod,--wrap=rename,--wrap=mkstemp,--wrap=progress_show,--wrap=g_thread_pool_new,--wrap=cairo_status,--wrap=cairo_surface_status
+$(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c tests/faults/memory.c) $(STATIC)
 	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
+	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
 
 # A small quarantine: a victim's fork copies what the allocator holds back.
 CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/faults/campaign.py
@@ -23,7 +23,7 @@ CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/
 FAULTS_OF ?= unit property
 .PHONY: faulty-programs run-faults faults
 faulty-programs: $(FAULTY) $(SHIMMED)
-faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000, then ever fewer) and every file operation
+faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000, then ever fewer) and every file operation of the command
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all
 	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
@@ -32,15 +32,17 @@ faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000,
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.
 SHORT_LEFT_OUT := angle bernstein bytes contact csv geodesic georeference instant law margin_touch path path_json polynomial skyline spiral status tangent curve_table guide query query_paths table
+FAULTS_SHORT := FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=100 FAULTS_ONCE_ONLY=1
 FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
 run-faults: $(CHECK)/faults/allocations.result
 $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
-	$(RUN) env FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=100 FAULTS_ONCE_ONLY=1 $(CAMPAIGN) $(FAULTY_SHORT)
+	$(RUN) env $(FAULTS_SHORT) $(CAMPAIGN) $(FAULTY_SHORT)
 
-# The operations of the command on files; signals at one in 20 of the steps of long work.
+# The operations of the command on files, and its memory; signals at one in 20 of the steps of long work.
+SHIM_EVERY := 20
 checks += file-faults no-memory-calls
 $(CHECK)/file-faults.result: $(COMMAND) $(SHIMMED)
-	$(RUN) env TDSP_SHIMMED=$(abspath $(SHIMMED)) SHIM_EVERY=20 $(PYTHON) tests/faults/files.py
+	$(RUN) env TDSP_SHIMMED=$(abspath $(SHIMMED)) SHIM_EVERY=$(SHIM_EVERY) $(PYTHON) tests/faults/files.py
 
 # No public function is left out of the tests without memory.
 $(CHECK)/no-memory-calls.result: all ; $(RUN) $(PYTHON) tests/faults/check_calls.py $(BUILD)

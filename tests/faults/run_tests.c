@@ -27,7 +27,7 @@ EXPORTED void _fail(const char *file, int line)
     print_error("%s:%d: failed\n", file, line);
     fflush(NULL);
     if (inject_is_victim()) inject_end_victim(VICTIM_REFUSED);
-    _exit(1);
+    inject_leave(1);
 }
 
 static uint64_t number_of(const char *name, uint64_t otherwise)
@@ -58,7 +58,7 @@ static void run_here(const struct CMUnitTest *test, inject_tally *tally, const v
     inject_end();
     fflush(NULL);
     if (inject_is_victim()) inject_end_victim(VICTIM_ENDURED);
-    _exit(0);
+    inject_leave(0);
 }
 
 /* True unless the test itself went wrong. */

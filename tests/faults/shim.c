@@ -5,8 +5,11 @@
  *   SHIM_LOG=FILE    append one line an operation: its number, what it is, on what
  *   SHIM_AT=N        at operation N ...
  *   SHIM_DO=WHAT     ... an errno by number: it fails with that, and nothing was done; `short`: only one byte is read or written; `end`: the
- *                    file ends here; `kill N`: the process is sent that signal before the operation
+ *                    file ends here, or takes no more; `kill N`: the process is sent that signal before the operation
  *   SHIM_ON=1        ... and at all later operations of its kind
+ *   SHIM_MEMORY=N    the library's N-th request for memory is refused, and has a line of its own
+ *
+ * What coverage writes when the program ends, to files named .profraw, is no operation of the command.
  */
 #include <errno.h>
 #include <fcntl.h>
@@ -17,9 +20,16 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cairo.h>
+#include <glib.h>
+
+#include "faults/memory.h"
 #include "tdsp/progress.h"
 
 enum { DO_IT, FAIL, SHORT, END };
+
+/* The linker wants these to be seen by the libraries that call the function, too. */
+#define EXPORTED __attribute__((visibility("default")))
 
 int __real_open(const char *path, int flags, ...);
 int __wrap_open(const char *path, int flags, ...);
@@ -37,6 +47,12 @@ int __real_rename(const char *from, const char *to);
 int __wrap_rename(const char *from, const char *to);
 int __real_mkstemp(char *name);
 int __wrap_mkstemp(char *name);
+GThreadPool *__real_g_thread_pool_new(GFunc function, gpointer data, gint most, gboolean exclusive, GError **error);
+EXPORTED GThreadPool *__wrap_g_thread_pool_new(GFunc function, gpointer data, gint most, gboolean exclusive, GError **error);
+cairo_status_t __real_cairo_status(cairo_t *cr);
+EXPORTED cairo_status_t __wrap_cairo_status(cairo_t *cr);
+cairo_status_t __real_cairo_surface_status(cairo_surface_t *surface);
+EXPORTED cairo_status_t __wrap_cairo_surface_status(cairo_surface_t *surface);
 void __real_progress_show(Progress *progress, double settled, double all);
 void __wrap_progress_show(Progress *progress, double settled, double all);
 
@@ -86,9 +102,16 @@ static const char *descriptor_name(int file)
     return text;
 }
 
+static int is_measurement(const char *path)
+{
+    const char *ending = strrchr(path, '.');
+    return ending && strcmp(ending, ".profraw") == 0;
+}
+
 /* The command opens files without making them, so there is no third argument. */
 int __wrap_open(const char *path, int flags, ...)
 {
+    if (is_measurement(path)) return __real_open(path, flags, 0666);
     return decide((flags & O_ACCMODE) == O_RDONLY ? "open" : "open-out", path) == FAIL ? -1 : __real_open(path, flags);
 }
 
@@ -106,6 +129,7 @@ ssize_t __wrap_write(int file, const void *bytes, size_t length)
 {
     switch (decide(file == STDOUT_FILENO ? "print" : "write", descriptor_name(file))) {
     case FAIL: return -1;
+    case END: return 0;
     case SHORT: return __real_write(file, bytes, 1);
     default: return __real_write(file, bytes, length);
     }
@@ -142,9 +166,39 @@ int __wrap_mkstemp(char *name)
     return decide("mkstemp", name) == FAIL ? -1 : __real_mkstemp(name);
 }
 
+/* GLib hands out the pool in any case, with the threads that it could start. */
+EXPORTED GThreadPool *__wrap_g_thread_pool_new(GFunc function, gpointer data, gint most, gboolean exclusive, GError **error)
+{
+    int fails = decide("threads", "a pool") == FAIL, code = errno;
+    GThreadPool *pool = __real_g_thread_pool_new(function, data, most, exclusive, error);
+    if (fails) g_set_error_literal(error, G_THREAD_ERROR, G_THREAD_ERROR_AGAIN, strerror(code));
+    return pool;
+}
+
+/* Cairo has one way to fail that does not depend on what is drawn: no memory. */
+EXPORTED cairo_status_t __wrap_cairo_status(cairo_t *cr)
+{
+    return decide("draw", "a picture") == FAIL ? CAIRO_STATUS_NO_MEMORY : __real_cairo_status(cr);
+}
+
+EXPORTED cairo_status_t __wrap_cairo_surface_status(cairo_surface_t *surface)
+{
+    return decide("draw", "a picture") == FAIL ? CAIRO_STATUS_NO_MEMORY : __real_cairo_surface_status(surface);
+}
+
 /* No operation that could fail; a place for signals. */
 void __wrap_progress_show(Progress *progress, double settled, double all)
 {
     decide("progress", progress->what);
     __real_progress_show(progress, settled, all);
+}
+
+/* Requests come from every thread. */
+int memory_must_fail(void)
+{
+    static long requests;
+    const char *at = getenv("SHIM_MEMORY");
+    if (!at || __atomic_add_fetch(&requests, 1, __ATOMIC_RELAXED) != atol(at)) return 0;
+    log_line("memory", at);
+    return 1;
 }

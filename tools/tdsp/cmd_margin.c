@@ -126,11 +126,11 @@ static gboolean any_in_time(const GArray *all)
     return FALSE;
 }
 
-/* Without a departure, the path's own. */
+/* Without a departure, which only goes with a path, the path's own. */
 static gboolean own_departure(const CliCommand *command, int argc, const GivenPath *given, GArray *times, GError **error)
 {
     if (times->len > 0) return TRUE;
-    if (!given->is_given || given->file.kind == FILE_TABLE) return cli_positional(command, argc, 2, -1, error);
+    if (given->file.kind == FILE_TABLE) return cli_positional(command, argc, 2, -1, error);
     g_array_append_val(times, given->path.departure);
     return TRUE;
 }

@@ -107,9 +107,8 @@ gboolean file_in_load_any(const char *path, FileIn *file, GError **error)
     } else if (status == TDSP_BAD_MAGIC && (status = tdsp_matrix_open(&loaded.matrix, loaded.text, loaded.length)) == TDSP_OK) {
         loaded.kind = FILE_MATRIX;
     } else {
-        gboolean foreign = status == TDSP_BAD_MAGIC || loaded.length == 0;
         file_in_clear(&loaded);
-        if (foreign) return cli_fail(error, CLI_INPUT, "%s: neither JSON nor a table", cli_file_name(path));
+        if (status == TDSP_BAD_MAGIC) return cli_fail(error, CLI_INPUT, "%s: neither JSON nor a table", cli_file_name(path));
         return cli_fail_status(error, cli_file_name(path), status);
     }
     *file = loaded;

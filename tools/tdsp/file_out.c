@@ -59,6 +59,8 @@ gboolean file_out_check(const char *path, const char *const *inputs, GError **er
         for (; *inputs; inputs++)
             if (same_file(&there, *inputs)) return cli_fail(error, CLI_USAGE, "%s: the output would replace the input", path);
         if (!S_ISREG(there.st_mode)) return TRUE;
+    } else if (errno == ELOOP) {
+        return fail_system(error, path, ELOOP); /* links that lead nowhere: not ours to replace */
     }
     g_autofree char *target = target_of(path);
     g_autofree char *folder = g_path_get_dirname(target);

@@ -106,8 +106,8 @@ Workers *workers_new(const tdsp_scene *scene, guint count, GError **error)
     if (count == 1) return g_steal_pointer(&workers);
     g_autoptr(GError) wrong = NULL;
     workers->pool = quiet_pool(workers, &wrong);
-    if (!workers->pool || wrong) {
-        cli_fail(error, CLI_SYSTEM, "cannot start %u threads: %s", count, wrong ? wrong->message : "no reason known");
+    if (wrong) {
+        cli_fail(error, CLI_SYSTEM, "cannot start %u threads: %s", count, wrong->message);
         return NULL;
     }
     return g_steal_pointer(&workers);

@@ -140,8 +140,10 @@ $(SHARED): $(call objects,$(LIB_SOURCES)) $(BUILD)/files $(SYMBOLS)
 	ln -sf $(@F) $(BUILD)/libtdsp.so.$(SOVERSION)
 	ln -sf $(@F) $(BUILD)/libtdsp.so
 
-$(BUILD)/tdsp: $(call objects,$(TOOL_SOURCES)) $(STATIC)
-	$(CC) $(LDFLAGS) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
+# The archive, so that the command runs from anywhere; a distribution has it use the shared library: COMMAND_LIBRARY=build/libtdsp.so.VERSION.
+COMMAND_LIBRARY ?= $(STATIC)
+$(BUILD)/tdsp: $(call objects,$(TOOL_SOURCES)) $(COMMAND_LIBRARY)
+	$(CC) $(LDFLAGS) $(filter %.o,$^) $(COMMAND_LIBRARY) $(TOOL_LIBS) -o $@
 
 $(TESTS): $(BUILD)/tests/%: $(BUILD)/obj/tests/%.o $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)

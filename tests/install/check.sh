@@ -43,7 +43,7 @@ all_files() {
         "lib/libtdsp.so.$major.$minor.$patch" lib/pkgconfig/tdsp.pc lib/pkgconfig/tdsp-query.pc \
         lib/cmake/tdsp/tdsp-config.cmake lib/cmake/tdsp/tdsp-config-version.cmake \
         share/man/man1/tdsp.1 share/man/man1/tdsp-build.1 share/man/man3/libtdsp.3 share/man/man3/tdsp_build.3 share/man/man5/tdsp-scene.5 share/man/man5/tdsp-table.5 \
-        share/bash-completion/completions/tdsp share/zsh/site-functions/_tdsp share/fish/vendor_completions.d/tdsp.fish $(cd include && echo tdsp/*.h | sed 's/tdsp\//include\/tdsp\//g'); do
+        share/tdsp/schema/scene.json share/bash-completion/completions/tdsp share/zsh/site-functions/_tdsp share/fish/vendor_completions.d/tdsp.fish $(cd include && echo tdsp/*.h | sed 's/tdsp\//include\/tdsp\//g'); do
         [ -s "$here/$file" ] || { echo "$file is not there"; return 1; }
     done
 }

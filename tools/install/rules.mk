@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What is installed, and where: the command, the libraries, headers, what finds them (pkg-config, CMake), manual pages and completions.
 HEADERS := $(sort $(wildcard include/tdsp/*.h))
+SCHEMAS := $(sort $(wildcard docs/schema/*.json))
 INSTALL := install
 DATADIR ?= $(PREFIX)/share
 MANDIR ?= $(DATADIR)/man
@@ -52,6 +53,8 @@ install: all install-extras ## install to DESTDIR/PREFIX (default /usr/local): c
 	ln -sf libtdsp.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so.$(SOVERSION)
 	ln -sf libtdsp.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libtdsp.so
 	$(INSTALL) -m 644 $(HEADERS) $(DESTDIR)$(INCLUDEDIR)/tdsp
+	$(INSTALL) -d $(DESTDIR)$(DATADIR)/tdsp/schema
+	$(INSTALL) -m 644 $(SCHEMAS) $(DESTDIR)$(DATADIR)/tdsp/schema
 	$(call fill_in,tdsp.pc,$(DESTDIR)$(LIBDIR)/pkgconfig)
 	$(call fill_in,tdsp-query.pc,$(DESTDIR)$(LIBDIR)/pkgconfig)
 	$(call fill_in,tdsp-config.cmake,$(DESTDIR)$(LIBDIR)/cmake/tdsp)
@@ -81,4 +84,5 @@ uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(INCLUDEDIR)/tdsp/,$(notdir $(HEADERS))) $(DESTDIR)$(LIBDIR)/cmake/tdsp/tdsp-config.cmake $(DESTDIR)$(LIBDIR)/cmake/tdsp/tdsp-config-version.cmake
 	rm -f $(DESTDIR)$(MANDIR)/man1/tdsp.1 $(DESTDIR)$(MANDIR)/man1/tdsp-*.1 $(DESTDIR)$(MANDIR)/man3/libtdsp.3 $(DESTDIR)$(MANDIR)/man3/tdsp_*.3 $(DESTDIR)$(MANDIR)/man5/tdsp-*.5
 	rm -f $(DESTDIR)$(BASH_COMPLETIONS)/tdsp $(DESTDIR)$(ZSH_COMPLETIONS)/_tdsp $(DESTDIR)$(FISH_COMPLETIONS)/tdsp.fish
-	rmdir $(DESTDIR)$(INCLUDEDIR)/tdsp $(DESTDIR)$(LIBDIR)/cmake/tdsp
+	rm -f $(addprefix $(DESTDIR)$(DATADIR)/tdsp/schema/,$(notdir $(SCHEMAS)))
+	rmdir $(DESTDIR)$(INCLUDEDIR)/tdsp $(DESTDIR)$(LIBDIR)/cmake/tdsp $(DESTDIR)$(DATADIR)/tdsp/schema $(DESTDIR)$(DATADIR)/tdsp

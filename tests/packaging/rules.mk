@@ -5,7 +5,7 @@ $(CHECK)/manual.result: man ; $(RUN) $(PYTHON) tests/packaging/check_manual.py $
 $(CHECK)/completions.result: completions ; $(RUN) $(PYTHON) tests/packaging/check_completions.py $(BUILD)/tdsp $(COMPLETIONS) bash
 $(CHECK)/licences.result: ; $(RUN) $(PYTHON) tests/packaging/check_licences.py
 
-$(CHECK)/schemas.result: all ; $(RUN) $(PYTHON) tests/packaging/check_schemas.py $(BUILD)/tdsp
+$(CHECK)/schemas.result: all ; $(RUN) $(PYTHON) tests/packaging/check_schemas.py $(BUILD)/tdsp 5
 $(CHECK)/dist.result: ; $(RUN) $(PYTHON) tests/packaging/check_dist.py $(VERSION)
 $(CHECK)/debian.result: ; $(RUN) $(PYTHON) tests/packaging/check_debian.py $(VERSION)
 
@@ -17,6 +17,7 @@ check-packaging: ## complete words in bash, zsh and fish; build the unpacked rel
 	@$(MAKE) --no-print-directory -s all man completions dist
 	@rm -rf $(PACKAGING)/check && mkdir -p $(PACKAGING)/check
 	@tests/run.sh $(PACKAGING)/check/completions.result completions $(PYTHON) tests/packaging/check_completions.py $(BUILD)/tdsp $(COMPLETIONS) bash zsh fish
+	@tests/run.sh $(PACKAGING)/check/schemas.result schemas $(PYTHON) tests/packaging/check_schemas.py $(BUILD)/tdsp
 	@tests/run.sh $(PACKAGING)/check/release.result release tests/packaging/check_release.sh $(MAKE) $(RELEASE) $(VERSION)
 	@TEST_TIMEOUT=3600 tests/run.sh $(PACKAGING)/check/twice.result deb-twice tests/packaging/check_deb_twice.sh $(RELEASE) $(VERSION) $(PACKAGING)/twice
 	@tests/summary.sh $(PACKAGING)/check

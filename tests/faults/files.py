@@ -48,6 +48,9 @@ COMMANDS = {
     "embed to a device": (("embed", "t.tdsp", "-o", "/dev/null"), None, None),
     "generate to a file": (("generate", "crowd", "--n", 3, "-o", "out.json"), "out.json", None),
     "generate": (("generate", "crowd", "--n", 3), None, None),
+    "convert a scene": (("convert", "fires.geojson", "--speed", 6, "-o", "out.json", "--json"), "out.json", None),
+    "convert a scene from a pipe": (("convert", "-", "--scene", "scene.json", "--name", "piped", "--units", "m,s"), None, "discs.csv"),
+    "convert a path": (("convert", "p.json", "--scene", "scene.json", "--origin", "9,44", "--epoch", "2026-06-01T12:00:00Z", "-o", "out.gpx"), "out.gpx", None),
     "query": (("query", "t.tdsp", "--times", "times.csv"), None, None),
     "query from a pipe": (("query", "t.tdsp", "--times", "-", "--json"), None, "times.csv"),
     "arrive": (("arrive", "scene.json", 0, 5, "--json"), None, None),
@@ -82,6 +85,8 @@ def inputs():
     write("from.csv", "-10,0,west\n-9,1\n")
     write("to.csv", "10,0,east\n")
     write("times.csv", "0\n5\n# no more\n9\n")
+    write("discs.csv", "x,y,radius,growth\n0,3,1,0.1\n")
+    write("fires.geojson", (harness.SCENES / "fires-made-up.geojson").read_bytes().strip())
     write("p.json", done("path", "scene.json", 5, "--json").out)
     done("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--epsilon", 0.5)
 
@@ -247,7 +252,7 @@ def a_full_standard_output_is_noticed_by_every_command_and_by_its_help():
         for call in (arguments, [arguments[0], "--help"]):
             with open("/dev/full", "w") as full:
                 ended = subprocess.run([harness.TDSP, *call], stdout=full, stderr=subprocess.PIPE)
-            silent = arguments[0] == "plot" or call[:2] == ["generate", "crowd"] and "-o" in call or arguments[0] == "embed"
+            silent = arguments[0] == "plot" or call[:2] == ["generate", "crowd"] and "-o" in call or arguments[0] == "embed" or arguments[0] == "convert" and "-o" in call
             if silent and call is arguments and ended.returncode == 0:
                 continue
             expect_equal(ended.returncode, 4, str(call))
@@ -265,7 +270,7 @@ def a_standard_stream_that_is_closed_and_cannot_be_replaced_ends_the_command():
 @test
 def a_full_device_as_the_output_is_told():
     inputs()
-    for arguments in (("build", "scene.json"), ("embed", "t.tdsp"), ("generate", "crowd", "--n", 3)):
+    for arguments in (("build", "scene.json"), ("embed", "t.tdsp"), ("generate", "crowd", "--n", 3), ("convert", "scene.json", "--format", "csv")):
         result = done(*arguments, "-o", "/dev/full", status=4)
         expect("cannot write /dev/full: No space left on device" in result.err, result)
 
@@ -276,7 +281,7 @@ def a_directory_is_no_input_anywhere():
     os.mkdir("folder")
     for arguments, _, stdin in COMMANDS.values():
         for i, word in enumerate(arguments):
-            if str(word) not in ("scene.json", "t.tdsp", "from.csv", "to.csv", "times.csv", "p.json") or stdin:
+            if str(word) not in ("scene.json", "t.tdsp", "from.csv", "to.csv", "times.csv", "p.json", "fires.geojson") or stdin:
                 continue
             changed = [*arguments[:i], "folder", *arguments[i + 1:]]
             result = done(*changed, status=4)
@@ -286,7 +291,8 @@ def a_directory_is_no_input_anywhere():
 @test
 def an_input_that_comes_piece_by_piece_is_read_whole():
     inputs()
-    for source, arguments in (("scene.json", ("arrive", "pipe", 5, "--json")), ("t.tdsp", ("query", "pipe", 5)), ("t.tdsp", ("info", "pipe"))):
+    for source, arguments in (("scene.json", ("arrive", "pipe", 5, "--json")), ("t.tdsp", ("query", "pipe", 5)), ("t.tdsp", ("info", "pipe")),
+                              ("discs.csv", ("convert", "pipe", "--scene", "scene.json"))):
         whole = pathlib.Path(source).read_bytes()
         os.mkfifo("pipe")
 
@@ -307,7 +313,8 @@ def an_input_that_comes_piece_by_piece_is_read_whole():
 def a_file_cut_short_or_grown_is_invalid_input_that_is_named():
     inputs()
     for source, call in (("scene.json", ("arrive", "cut", 5)), ("t.tdsp", ("query", "cut", 5)), ("t.tdsp", ("embed", "cut", "-o", "out.c")),
-                         ("t.tdsp", ("verify", "scene.json", "cut")), ("scene.json", ("build", "cut", "-o", "out"))):
+                         ("t.tdsp", ("verify", "scene.json", "cut")), ("scene.json", ("build", "cut", "-o", "out")),
+                         ("fires.geojson", ("convert", "cut", "--speed", 6))):
         whole = pathlib.Path(source).read_bytes()
         for length in sorted({0, 1, 7, 8, len(whole) // 2, len(whole) - 1}):
             write("cut", whole[:length])

@@ -21,6 +21,7 @@ typedef struct Sampler {
     double metres, tolerance;
     const tdsp_leg *leg;
     guint number;
+    gboolean lost; /* the robot was nowhere, or too far away */
     PathPoints *out;
 } Sampler;
 
@@ -36,10 +37,17 @@ static double apart(tdsp_point a, tdsp_point b)
     return hypot(a.x - b.x, a.y - b.y);
 }
 
+static gboolean is_somewhere(const Sampler *s, tdsp_point robot)
+{
+    return isfinite(robot.x + robot.y) && !(s->geo->known && hypot(robot.x, robot.y) * s->metres > GEOREFERENCE_REFUSE);
+}
+
 /* How far from the robot one is, having gone straight for the share `x` of the time between two points. */
-static double deviation(const Sampler *s, const PathPoint *from, const PathPoint *to, double x)
+static double deviation(Sampler *s, const PathPoint *from, const PathPoint *to, double x)
 {
     tdsp_point robot = tdsp_leg_position(s->leg, from->time + (to->time - from->time) * x), laid;
+    s->lost = s->lost || !is_somewhere(s, robot);
+    if (s->lost) return 0;
     tdsp_point straight = {from->place.x + (to->place.x - from->place.x) * x, from->place.y + (to->place.y - from->place.y) * x};
     double off = apart(robot, straight);
     if (!s->geo->known) return off;
@@ -48,11 +56,9 @@ static double deviation(const Sampler *s, const PathPoint *from, const PathPoint
     return fmax(off, apart(robot, laid));
 }
 
-static gboolean is_straight(const Sampler *s, const PathPoint *from, const PathPoint *to)
+static double farthest(Sampler *s, const PathPoint *from, const PathPoint *to)
 {
-    for (int quarter = 1; quarter < 4; quarter++)
-        if (!(deviation(s, from, to, quarter / 4.0) <= KEPT * s->tolerance)) return FALSE;
-    return TRUE;
+    return fmax(deviation(s, from, to, 0.5), fmax(deviation(s, from, to, 0.25), deviation(s, from, to, 0.75)));
 }
 
 /* A point that is the one before, in time and place, says nothing. FALSE when there are too many. */
@@ -67,10 +73,10 @@ static gboolean add(const Sampler *s, const PathPoint *point)
 }
 
 /* The points behind `from`, up to `to`. Halving ends where time has no number in between any more. */
-static gboolean add_stretch(const Sampler *s, const PathPoint *from, const PathPoint *to)
+static gboolean add_stretch(Sampler *s, const PathPoint *from, const PathPoint *to)
 {
     double middle = from->time + (to->time - from->time) / 2;
-    if (!(from->time < middle && middle < to->time) || is_straight(s, from, to)) return add(s, to);
+    if (!(from->time < middle && middle < to->time) || farthest(s, from, to) <= KEPT * s->tolerance) return add(s, to);
     PathPoint half = point_at(s, middle, tdsp_leg_position(s->leg, middle));
     return add_stretch(s, from, &half) && add_stretch(s, &half, to);
 }
@@ -84,7 +90,7 @@ static gboolean add_leg(Sampler *s)
     for (double i = 1; i <= stretches; i++) {
         double time = leg->start_time + duration * (i / stretches);
         PathPoint to = i < stretches ? point_at(s, time, tdsp_leg_position(leg, time)) : point_at(s, leg->end_time, leg->to);
-        if (!add_stretch(s, &from, &to)) return FALSE;
+        if (!add_stretch(s, &from, &to) || s->lost) return FALSE;
         from = to;
     }
     return TRUE;
@@ -153,12 +159,15 @@ gboolean path_points_make(const char *file, const PathFile *path, const Georefer
                           GError **error)
 {
     if (!path_points_check(file, path, error)) return FALSE;
-    PathPoints made = {.tolerance = tolerance > 0 ? tolerance : way(path) * DEFAULT_SHARE, .extent = geo->known ? reach(path) * metres : 0};
+    const double finest = geo->known ? PATH_POINTS_FINEST / metres : 0;
+    PathPoints made = {.tolerance = tolerance > 0 ? tolerance : fmax(finest, way(path) * DEFAULT_SHARE), .extent = geo->known ? reach(path) * metres : 0};
+    if (made.tolerance < finest) return cli_fail(error, CLI_USAGE, "--tolerance: on the earth at least a micrometre");
     if (!georeference_fits(file, made.extent, error)) return FALSE;
     made.points = g_array_new(FALSE, FALSE, sizeof(PathPoint));
     Sampler s = {.geo = geo, .metres = metres, .tolerance = made.tolerance, .out = &made};
     if (!add_legs(&s, path)) {
         path_points_clear(&made);
+        if (s.lost) return fail_leg(file, s.number, "leads out of the plane", error);
         return cli_fail(error, CLI_INPUT, "%s: more than %d points within the tolerance (--tolerance allows more)", file, PATH_POINTS_MOST);
     }
     *out = made;

@@ -9,6 +9,7 @@
 #include "path_json.h"
 
 #define PATH_POINTS_MOST 1000000
+#define PATH_POINTS_FINEST 1e-6 /* m: a tolerance that degrees can keep */
 
 typedef struct PathPoint {
     double time;

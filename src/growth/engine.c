@@ -120,6 +120,14 @@ static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
     return push_label(engine, LABEL_RIDE, (uint32_t)engine->ride_count++, ride->start.time);
 }
 
+/* By the heading, which a rider goes on with: by the place, a rounding of the time would turn it, and on a small disc late in time past what it was to leave for. */
+static double landing_normal(const growth_shape *shape, double sign, const growth_leg *leg)
+{
+    tdsp_point out = point_sub(sight_place(&leg->line, leg->arrive), shape->center);
+    if (leg->land.in_fan) return atan2(out.y, out.x);
+    return atan2(leg->line.unit.y, leg->line.unit.x) - leg->side * rider_theta(shape, sign, leg->land.span, leg->land.time);
+}
+
 static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)
 {
     const growth_leg leg = engine->legs[index];
@@ -135,9 +143,8 @@ static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)
         return TDSP_OK;
     }
     const growth_shape *shape = engine_shape(engine, leg.disc);
-    tdsp_point out = point_sub(sight_place(&leg.line, leg.arrive), shape->center);
     growth_ride ride = {.disc = leg.disc, .run = leg.run, .side = leg.side, .leg = index, .start = leg.land, .bound = leg.bound};
-    ride.normal = atan2(out.y, out.x);
+    ride.normal = landing_normal(shape, engine->question.sign, &leg);
     return ride_begin(engine, &ride);
 }
 

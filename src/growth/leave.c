@@ -8,6 +8,10 @@
 /* Parts of a chunk that are looked at one by one, at most. */
 #define MOST_PARTS 64
 
+/* F of a line that touches, relative to the radius; and the most that rounding of times turns a heading by where it still matters. */
+#define GRAZE_VALUE 1e-15
+#define GRAZE_TURN 0.01
+
 /* A function of a leg's parameter whose sign changes once. */
 typedef struct leave_target {
     growth_engine *engine;
@@ -97,12 +101,26 @@ static void line_aim(sight_line *line, tdsp_point place)
     if (length > 0.0) line->unit = point_scale(1.0 / length, to);
 }
 
-static tdsp_status target_push(const leave_target *target, double at, double arrive, const sight_nearest *nearest)
+/*
+ * To a disc, for the same reason: the heading turned about the place of leaving until the line touches it. F changes with that turn as the distance travelled does across the line.
+ */
+static void line_graze(const leave_target *target, sight_line *line, sight_nearest *nearest)
+{
+    for (int step = 0; step < 4; ++step) {
+        tdsp_point out = point_sub(sight_place(line, nearest->time), target->place);
+        if (fabs(nearest->value) <= GRAZE_VALUE * point_length(out)) return;
+        double turn = -nearest->value / (2.0 * (nearest->time - line->start) * point_cross(line->unit, out));
+        if (!(fabs(turn) < GRAZE_TURN)) return;
+        line->unit = point_unit(atan2(line->unit.y, line->unit.x) + turn);
+        *nearest = target_nearest(target, line, 1);
+    }
+}
+
+static tdsp_status target_push(const leave_target *target, double at, const sight_line *line, double arrive, const sight_nearest *nearest)
 {
     growth_engine *engine = target->engine;
-    growth_leg leg = {.ride = target->ride, .line = target_line(target, at), .arrive = arrive, .disc = target->disc, .run = target->run};
+    growth_leg leg = {.ride = target->ride, .line = *line, .arrive = arrive, .disc = target->disc, .run = target->run};
     leg.side = target->side;
-    if (!nearest) line_aim(&leg.line, target->place);
     if (target->chunk) leg.leave = chunk_moment(target->chunk, at);
     if (!target->chunk) leg.leave.time = engine->question.time;
     leg.land.time = arrive;
@@ -115,15 +133,40 @@ static tdsp_status target_push(const leave_target *target, double at, double arr
     return growth_push_leg(engine, &leg);
 }
 
-/* A tangent at a root of m, if it lies on the run and after the place of leaving. */
-static tdsp_status push_tangent(const leave_target *target, double at)
+/* A tangent on a line that leaves there, if it lies on the run and after the place of leaving. */
+static tdsp_status push_line(const leave_target *target, double at, sight_line *line)
 {
     double sign = target->engine->question.sign;
-    sight_line line = target_line(target, at);
-    sight_nearest nearest = target_nearest(target, &line, 1);
+    sight_nearest nearest = target_nearest(target, line, 1);
+    if (target->chunk) line_graze(target, line, &nearest);
     /* A run may begin where its rate falls to the robot's speed: whoever is caught there, from right behind, rides on. */
     int is_within = nearest.time >= run_begins(target->shape, sign, target->run) && nearest.time < run_ends(target->shape, sign, target->run);
-    return nearest.time > line.start && (is_within || nearest.is_at_corner) ? target_push(target, at, nearest.time, &nearest) : TDSP_OK;
+    return nearest.time > line->start && (is_within || nearest.is_at_corner) ? target_push(target, at, line, nearest.time, &nearest) : TDSP_OK;
+}
+
+/* At a root of m. */
+static tdsp_status push_tangent(const leave_target *target, double at)
+{
+    sight_line line = target_line(target, at);
+    return push_line(target, at, &line);
+}
+
+/*
+ * Both tangents where the rider's heading passes the whole disc within the rounding of a time, from one pebble to another: they are aimed from there, each to its side.
+ */
+static tdsp_status push_narrow(leave_target *target, double at)
+{
+    sight_line line = target_line(target, at);
+    tdsp_point to = point_sub(target->place, line.from);
+    double distance = point_length(to), radius = shape_radius(target->shape, target->engine->question.sign * (line.start + distance));
+    tdsp_status status = TDSP_OK;
+    if (fabs(target_offset(target, &line)) < 0.5 * radius || radius >= distance) return TDSP_OK;
+    for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
+        target->side = side;
+        line.unit = point_unit(atan2(to.y, to.x) - side * asin(radius / distance));
+        status = push_line(target, at, &line);
+    }
+    return status;
 }
 
 /* Can a run of the disc be met by whoever leaves from here on? Not the one that is ridden. */
@@ -164,11 +207,19 @@ static int side_of(double offset)
     return offset > 0.0 ? 1 : -1;
 }
 
+/* The line that leaves there, aimed at the goal. */
+static tdsp_status push_aimed(const leave_target *target, double at)
+{
+    sight_line line = target_line(target, at);
+    double length = point_distance(line.from, target->place);
+    line_aim(&line, target->place);
+    return target_push(target, at, &line, line.start + length, NULL);
+}
+
 static tdsp_status push_goal(leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    tdsp_point way = point_sub(target->place, line.from);
-    return point_dot(way, line.unit) >= 0.0 ? target_push(target, at, line.start + point_length(way), NULL) : TDSP_OK;
+    return point_dot(point_sub(target->place, line.from), line.unit) >= 0.0 ? push_aimed(target, at) : TDSP_OK;
 }
 
 /* Where e is 0, or near enough to run into the disc. */
@@ -203,7 +254,10 @@ static tdsp_status push_across(leave_target *target, double from, double a, doub
             middle = centre_of(target, from, a, to, b, 0.0);
             least = target_value(target, middle);
         }
-        if (!(least < 0.0)) continue;
+        if (!(least < 0.0)) {
+            status = push_narrow(target, middle);
+            continue;
+        }
         status = push_between(target, from, first, middle, least, side_of(a));
         if (status == TDSP_OK) status = push_between(target, middle, least, to, last, side_of(b));
     }
@@ -266,7 +320,7 @@ static tdsp_status leave_onto_goal(const leave_target *goal)
     growth_moment moment = chunk_moment(chunk, at);
     double length = point_distance(rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), goal->place);
     double distance = point_distance(goal->place, chunk->shape->center);
-    return length <= GEOM_CONTACT * (1.0 + distance) ? target_push(goal, at, at, NULL) : TDSP_OK;
+    return length <= GEOM_CONTACT * (1.0 + distance) ? push_aimed(goal, at) : TDSP_OK;
 }
 
 /* To what is ahead, nearest first, as far as it is not hidden. Who asks why there is no path wants to see all that stops a robot. */
@@ -331,7 +385,7 @@ tdsp_status leave_start(growth_engine *engine)
     const growth_question *question = &engine->question;
     tdsp_point way = point_sub(question->goal, question->start);
     leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x), 0.0, NULL};
-    tdsp_status status = target_push(&goal, 0.0, question->time + point_length(way), NULL);
+    tdsp_status status = push_aimed(&goal, 0.0);
     for (uint32_t i = 0; i < engine->reach.count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->reach.given[i];
         const growth_shape *shape = engine_shape(engine, disc);

@@ -38,7 +38,8 @@ void soak_check_quarter(soak_case *c)
 {
     static const tdsp_point turns[] = {{0.0, 1.0}, {-1.0, 0.0}, {0.0, -1.0}};
     const grown_change change = {turns[soak_pick(c, 3)], {0.0, 0.0}, 1.0, 1.0, 0};
-    c->looser = 0.01;
+    /* Discs of one rate: only angles are rounded otherwise. The other engine finds touches by steps that end within a share of what still is a touch. */
+    c->looser = tdsp_solver_method(c->world.solver) == TDSP_METHOD_GENERAL ? 0.3 : 0.01;
     changed(c, &change, 0, "turned by right angles");
 }
 

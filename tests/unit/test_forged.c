@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Tables and matrices that somebody forged: numbers at the edge of 64 bits, checksums that fit, bytes that change after opening. Where a table
- * would have to be larger than memory, the check is asked by itself about a view of it.
+ * Tables and matrices that somebody forged: numbers at the edge of 64 bits, checksums that fit, bytes that change after opening. Where a table would have to be larger than memory, the check is asked by itself about a view of it.
  */
 #include "support/cmocka_all.h"
 

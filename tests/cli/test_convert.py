@@ -6,9 +6,10 @@ import json
 import math
 import pathlib
 import random
+import subprocess
 import xml.etree.ElementTree
 
-from harness import SCENES, TWO_DISCS, done, expect, expect_equal, expect_near, fails, main, scene, test, tdsp, write
+from harness import SCENES, TDSP, TWO_DISCS, done, expect, expect_equal, expect_near, fails, main, scene, test, tdsp, write
 
 GPX = "{http://www.topografix.com/GPX/1/1}"
 EPOCH = ("--epoch", "2026-06-01T12:00:00Z")
@@ -61,6 +62,7 @@ def what_csv_leaves_out_is_told_and_brought_back_by_the_scene():
         expect("CSV has no place for its name, its units; --scene brings them back" in told, told)
         expect_equal(converted("a.csv", "--scene", SCENES / name), wanted)
     told = done("convert", scene(**LAID), "-o", "b.csv").err
+    expect("CSV has no place for its units;" in done("convert", scene("t.json", name="", units={"time": "s"}), "-o", "b.csv").err, "no warning")
     expect("its name, its units, its georeference" in told, told)
     expect_equal(done("convert", write("c.json", json.dumps({key: TWO_DISCS[key] for key in ("robot", "source", "destination", "discs")})), "-o", "c.csv").err, "")
 
@@ -68,13 +70,20 @@ def what_csv_leaves_out_is_told_and_brought_back_by_the_scene():
 @test
 def columns_may_stand_in_any_order_and_spelling_under_any_separator():
     for separator in ",;\t":
-        text = f'\ufeffGrowth,note,"Y", X ,RADIUS\r\n# a comment\r\n\r\n0.1,"a ""quoted"" , thing\nin two lines",3,0,1\r\n 0.1 ,,-3, 0 ,"1"'.replace(",", separator)
+        text = f'\ufeff"Growth",note,"Y", X ,RADIUS\r\n# a comment\r\n\r\n0.1,"a ""quoted"" , thing\nin two lines",3,0,1\r\n 0.1 ,,-3, 0 ,"1"'.replace(",", separator)
         found = converted(write("a.csv", text), "--speed", 1, "--from=-10,0", "--to", "10,0", "--units", "m,s", "--name", "two discs")
         expect_equal(found, TWO_DISCS)
 
 
 @test
 def columns_of_other_names_are_chosen_by_options():
+    for options in (("--y-field", "lat"), ("--x-field", "lon")):
+        found = converted(write("a.csv", "x,y,lon,lat,radius,growth\n1,2,3,4,1,1\n"), *ROBOT, *options)
+        expect_equal(found["discs"][0]["center"], [1, 4] if options[0] == "--y-field" else [3, 2])
+    for options in (("--lon-field", "y"), ("--lat-field", "x")):
+        expect("georeference" in converted("a.csv", *ROBOT[:2], "--from", "1,2", "--to", "3,4", *options), "not projected")
+    for option in ("--x-field", "--y-field", "--lon-field", "--lat-field"):
+        fails(3, ['a.csv:1: no column "other"'], "convert", "a.csv", *ROBOT, option, "other")
     text = "px,py,size,spread,kind\n-10,0,,,source\n10,0,,,destination\n0,3,1,0.1,\n0,-3,1,0.1,disc\n"
     options = ("--x-field", "px", "--y-field", "py", "--radius-field", "size", "--growth-field", "spread", "--role-field", "kind", "--speed", 1)
     found = converted(write("a.csv", text), *options)
@@ -83,7 +92,7 @@ def columns_of_other_names_are_chosen_by_options():
 
 @test
 def missing_radii_and_rates_have_stand_ins():
-    found = converted(write("a.csv", "x,y,radius\n0,3,\n1,1,2\n"), "--radius", 5, "--growth", 0.25, "--speed", 1, "--from", "0,0", "--to", "9,0")
+    found = converted(write("a.csv", "x,y,radius\n0,3,\n1,1,2\n  "), "--radius", 5, "--growth", 0.25, "--speed", 1, "--from", "0,0", "--to", "9,0")
     expect_equal(found["discs"], [{"center": [0, 3], "radius": 5, "growth": 0.25}, {"center": [1, 1], "radius": 2, "growth": 0.25}])
 
 
@@ -104,8 +113,22 @@ WRONG_CSV = {
     "white space": (" \n", "neither JSON nor CSV"),
     "no header": ("0,1,2,3\n", "a.csv:1: the first line must name the columns"),
     "only comments": ("# x,y\n", "the first line must name the columns"),
+    "no latitude": ("lon,radius,growth\n0,1,1\n", "a.csv:1: the first line must name the columns"),
+    "one column and nothing else": ("x", "a.csv:1: the first line must name the columns"),
+    "one column": ("x\n1\n", "a.csv:1: the first line must name the columns"),
+    "a header that never ends": ('"x,y', "a.csv:1: a quoted field that never ends"),
+    "a line that is a quote that never ends": ('x,y,radius,growth\n"0', "a.csv:2: a quoted field that never ends"),
+    "two roles": ("x,y,role,role\n", 'a.csv:1: two columns named "role"'),
+    "two radii": ("x,y,radius,radius\n", 'two columns named "radius"'),
+    "two growths": ("x,y,growth,growth\n", 'two columns named "growth"'),
+    "two speeds": ("x,y,speed,speed\n", 'two columns named "speed"'),
+    "a bad x": ("x,y,radius,growth\n-,1,2,3\n", 'a.csv:2: x: "-": not a finite'),
+    "a bad speed": ("x,y,role,speed\n0,1,source,fast\n", 'a.csv:2: speed: "fast"'),
+    "a line that begins with a space and a hash": ("x,y,radius,growth\n # 1,1,2,3\n", 'a.csv:2: x: "# 1"'),
+    "a carriage return inside a line": ("x,y,radius,growth\n1\r2,1,2,3\n", "a.csv:2: x: "),
     "no y": ("x,radius,growth\n0,1,1\n", "a.csv:1: the first line must name the columns"),
     "a column twice": ("x,y,radius,X,growth\n", 'a.csv:1: two columns named "x"'),
+    "two kinds of places, all by usual names": ("longitude,latitude,y,x\n", "columns x, y and longitude, latitude: say which"),
     "two kinds of places": ("x,y,lon,lat,radius,growth\n", "columns x, y and lon, lat: say which"),
     "a word": ("x,y,radius,growth\n0,1,2,3\n0,up,2,3\n", 'a.csv:3: y: "up": not a finite decimal number'),
     "NaN": ("x,y,radius,growth\n0,1,nan,3\n", 'a.csv:2: radius: "nan": not a finite'),
@@ -124,6 +147,8 @@ WRONG_CSV = {
     "something behind a quote": ("x,y,radius,growth\n0,1,2,\"3\"4\n", "a.csv:2: something follows a quoted field"),
     "an unknown role": ("x,y,radius,growth,role\n0,1,2,3,start\n", "a.csv:2: the role is none of disc, source, destination"),
     "two sources": ("x,y,role\n0,1,source\n\n0,2,source\n", "a.csv:4: a second source"),
+    "a destination that grows": ("x,y,role,growth\n0,1,destination,1\n", "a destination is a point"),
+    "a destination with a speed": ("x,y,role,speed\n0,1,destination,1\n", "a destination is a point"),
     "two destinations": ("x,y,role\n0,1,destination\n0,2,destination\n", "a.csv:3: a second destination"),
     "a source that grows": ("x,y,role,growth\n0,1,source,1\n", "a source does not grow"),
     "a destination with a radius": ("x,y,role,radius\n0,1,destination,1\n", "a destination is a point"),
@@ -191,6 +216,8 @@ def places_come_back_from_the_plane_to_a_hundredth_of_a_micrometre():
 @test
 def laws_of_growth_names_and_units_come_back_from_geojson():
     discs = [{"center": [1, 3], "radius": 1, "growth": [0.1, 0.01]}, {"center": [0, -3], "radius": 1.5, "growth": {"times": [0, 5], "rates": [0.1, 0.3]}}]
+    for units in ({"length": "m"}, {"time": "min"}):
+        expect_equal(converted(scene(units=units), "--format", "json")["units"], units)
     file = scene(discs=discs, units={"length": "km", "time": "min"}, robot={"speed": 1.5, "radius": 0.25}, **LAID)
     done("convert", file, "-o", "a.geojson")
     found = converted("a.geojson")
@@ -218,6 +245,9 @@ def a_scene_that_lies_on_the_earth_is_solved_as_before():
 def multipoints_heights_and_old_members_are_read():
     many = {"type": "Feature", "geometry": {"type": "MultiPoint", "coordinates": [[0, 0, 12], [0.1, 0]]}, "properties": {"Size": 5, "growth": None}}
     bare = {"type": "Feature", "geometry": {"type": "Point", "coordinates": [0.2, 0]}}
+    empty = bare | {"properties": None}
+    lone = collection(bare, empty, point(0, 0, role="source", growth=0, speed=1, note=1), point(0.1, 0, role="destination", growth=[0], note=2), crs=None)
+    expect_equal(len(converted(write("a.geojson", lone), "--radius", 7, "--growth", 0.5)["discs"]), 2)
     crs = {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}
     file = write("a.geojson", collection(many, bare, crs=crs))
     found = converted(file, "--radius-field", "Size", "--radius", 7, "--growth", 0.5, "--speed", 3, "--from", "0,0.1", "--to", "0.2,0.1", "--origin", "0,0")
@@ -248,6 +278,20 @@ def the_antimeridian_and_the_poles_are_places_like_others():
 
 
 WRONG_GEOJSON = {
+    "an array": ("[1]", "a.geojson: must be an object, not an array"),
+    "features that are a number": ('{"type": "FeatureCollection", "features": 7}', "features: must be an array"),
+    "a feature that says no place": (collection({"type": "Feature"}), "features[0].geometry: missing"),
+    "a place without coordinates": (collection({"type": "Feature", "geometry": {"type": "Point"}}), "features[0].geometry.coordinates: missing"),
+    "coordinates that are a number": (collection(point(0, 0, radius=1, growth=0) | {"geometry": {"type": "Point", "coordinates": 7}}), "coordinates: must be an array"),
+    "a latitude that is a word": (collection(point(0, "north")), "features[0].geometry.coordinates[1]: must be a number"),
+    "a speed that is a word": (collection(point(0, 0, speed="1")), "features[0].properties.speed: must be a number"),
+    "a source that grows": (collection(point(0, 0, role="source", growth=[0, 1])), "features[0]: a source does not grow"),
+    "a crs without properties": (collection(*FIRES, crs={}), "crs.properties: missing"),
+    "a crs whose properties are a number": (collection(*FIRES, crs={"properties": 7}), "crs.properties: must be an object"),
+    "a crs without a name": (collection(*FIRES, crs={"properties": {}}), "crs.properties.name: missing"),
+    "a crs whose name is a number": (collection(*FIRES, crs={"properties": {"name": 7}}), "crs.properties.name: must be a string"),
+    "a unit of length that nobody knows": (collection(*FIRES, units={"length": "furlong"}), 'needs a known unit of length, not "furlong"'),
+    "a unit of time that is a number": (collection(*FIRES, units={"time": 7}), "units.time: must be a string"),
     "no collection": (json.dumps(FIRES[0]), 'type: must be "FeatureCollection", not "Feature"'),
     "a type that is a number": ('{"type": 7}', "type: must be a string"),
     "no features": ('{"type": "FeatureCollection"}', "features: missing"),
@@ -297,6 +341,9 @@ def what_is_too_large_for_a_plane_is_warned_of_and_then_refused():
     expect("a.geojson reaches 557 km from the origin: distances in the plane are too long by up to 0.13 %" in told, told)
     fails(3, ["a.geojson: features[0]: over 1500 km from the origin"], "convert", fire(14), *options)
     fails(2, ["--from, --to: over 1500 km"], "convert", fire(1), *options[:2], "--from", "0,0", "--to", "0,80", *options[6:])
+    fails(2, ["--from, --to: over 1500 km"], "convert", fire(1), "--speed", 1, "--from", "0,80", "--to", "0,0.1", "--origin", "0,0")
+    fails(3, ["a.csv:2: over 1500 km from the origin"], "convert", write("a.csv", "lon,lat,radius,growth\n14,0,1,1\n"), "--speed", 1, "--from", "0,0", "--to", "0,0.1", "--origin", "0,0")
+    fails(3, ["p.json reaches 2000 km"], "convert", path_of(scene(destination=[2e6, 0], discs=[]), 0), "--scene", scene(**LAID), "--format", "geojson")
     fails(3, ["scene.json reaches 2000 km"], "convert", scene(destination=[2e6, 0], **LAID), "--format", "geojson")
     report = done("convert", fire(5), *options, "-o", "a.json", "--json").json
     expect_near(report["extent"], 556597.453966367, 1e-6)
@@ -308,6 +355,15 @@ def what_contradicts_itself_is_refused():
     fires = write("fires.geojson", collection(*FIRES, *ENDS))
     laid = scene("laid.json", **LAID)
     plain = scene()
+    agreeing = converted(fires, "--scene", laid, "--origin=-119.8,44.45", "--units", "m,s")
+    expect_equal(agreeing["georeference"]["origin"], ORIGIN)
+    expect_equal(converted(laid, "--origin=-119.8,44.45", "--format", "json")["discs"], TWO_DISCS["discs"])
+    fails(2, ["--origin and --scene contradict"], "convert", fires, "--scene", laid, "--origin=-119.8,44")
+    fails(2, ['the unit is "s", and "h" by --units'], "convert", plain, "--units", "m,h", "--format", "json")
+    fails(2, ["--scene does not say where on the earth its ends are"], "convert", write("f.geojson", collection(*FIRES)), "--scene", plain, "--from=-119,44")
+    fails(3, ["a.csv: "], "convert", write("a.csv", "x,y,radius,growth\n"), "--speed", 1, "--from", "1e101,0", "--to", "0,0")
+    fails(3, ["huge.json: "], "arrive", scene("huge.json", source=[1e101, 0]), 0)
+    fails(3, ["georeference.origin: must be an array"], "arrive", scene("odd.json", georeference={"origin": 7}), 0)
     fails(2, ["--origin and --scene contradict"], "convert", fires, "--scene", laid, "--origin", "0,0")
     fails(2, ["nothing is moved"], "convert", laid, "--origin", "0,0", "--format", "json")
     fails(2, ['the unit is "m", and "km" by --units'], "convert", plain, "--units", "km,s", "--format", "json")
@@ -315,7 +371,7 @@ def what_contradicts_itself_is_refused():
     fails(2, ["GeoJSON has longitudes and latitudes, and nothing says where scene.json is"], "convert", plain, "--format", "geojson")
     fails(2, ["--scene does not say where on the earth its ends are"], "convert", write("f.geojson", collection(*FIRES)), "--scene", plain)
     fails(3, ['needs a known unit of length, not "furlong"'], "convert", scene("odd.json", units={"length": "furlong"}, **LAID), "--format", "geojson")
-    fails(2, ["GeoJSON needs the unit of length, which nothing says"], "convert", scene("mute.json", units={}, **LAID), "--format", "geojson")
+    fails(2, ["mute.json needs the unit of length, which nothing says"], "convert", scene("mute.json", units={}, **LAID), "--format", "geojson")
 
 
 @test
@@ -323,6 +379,9 @@ def a_scene_lends_its_plane_to_fires_seen_later():
     laid = scene("laid.json", **LAID)
     found = converted(write("fires.geojson", collection(*FIRES)), "--scene", laid)
     expect_equal([found["source"], found["robot"], found["name"], found["georeference"]["origin"]], [TWO_DISCS["source"], TWO_DISCS["robot"], "two discs", ORIGIN])
+    robot = collection(*FIRES, point(-119.9, 44.4, role="source", radius=2))
+    found = converted(write("robot.geojson", robot), "--scene", scene("other.json", robot={"speed": 3, "radius": 1}, **LAID))
+    expect_equal(found["robot"], {"speed": 3, "radius": 2})
     found = converted("fires.geojson", "--scene", scene(), "--origin=-119.8,44.45")
     expect_equal([found["source"], found["georeference"]["origin"]], [TWO_DISCS["source"], ORIGIN])
 
@@ -492,6 +551,20 @@ def a_path_without_lines_needs_to_know_the_robot():
     expect(laps[0] * 2 < laps[1] < laps[2], f"{laps}")
 
 
+@test
+def a_path_that_stands_still_is_a_line_of_two_equal_positions():
+    leg = {"type": "line", "start_time": 5, "end_time": 5, "from": [1, -1e-7], "to": [1, -1e-7]}
+    write("p.json", json.dumps({"departure": 5, "arrival": 5, "status": "ok", "legs": [leg]}))
+    laid = ("--units", "m,s", "--origin", "0,0", *EPOCH)
+    coordinates = converted("p.json", "--speed", 1, *laid, "--format", "geojson")["features"][0]["geometry"]["coordinates"]
+    expect_equal(coordinates[0], coordinates[1])
+    expect_equal(len(coordinates), 2)
+    fails(2, ["--scene SCENE or --speed V"], "convert", "p.json", *laid, "--format", "csv")
+    gpx = done("convert", "p.json", "--speed", 1, *laid, "--format", "gpx").out
+    expect('lat="0" lon="0.000008983' in gpx, gpx)
+    expect("<name>" not in gpx, gpx)
+
+
 def changed_leg(number, **changes):
     path = json.loads(pathlib.Path("p.json").read_text())
     path["legs"][number].update(changes)
@@ -506,6 +579,10 @@ def bad_paths_are_refused():
     fails(3, ["q.json: legs[1]: does not start when the one before ends"], "convert", changed_leg(1, start_time=13), *csv)
     fails(3, ["q.json: legs[2]: does not start where the one before ends"], "convert", changed_leg(2, **{"from": [7, 7]}), *csv)
     fails(3, ["q.json: legs[1]: radii must be over zero"], "convert", changed_leg(1, radii=[0, 1]), *csv)
+    fails(3, ["q.json: legs[1]: radii must be over zero"], "convert", changed_leg(1, radii=[1, 0]), *csv)
+    fails(3, ["legs[0]: takes no time to get elsewhere"], "convert", changed_leg(0, end_time=12), *csv, "--speed", 1)
+    fails(3, ["q.json: legs: must be an array"], "convert", write("q.json", '{"departure": 0, "arrival": 1, "status": "ok", "legs": 1}'), *csv)
+    fails(3, ["q.json: robot: must be an object"], "convert", write("q.json", '{"robot": 1}'), *csv)
     fails(3, ["q.json: a path without a finite length"], "convert", changed_leg(0, **{"from": [1.7e308, -1.7e308]}), *csv, "--speed", 1)
     fails(3, ["more than 1000000 points within the tolerance"], "convert", "p.json", *csv, "--tolerance", 1e-14)
     fails(1, ["p.json: no path to convert: source_covered"], "convert", write("p.json", tdsp("path", scene(), 200, "--json").out), *csv)
@@ -531,6 +608,11 @@ def options_that_do_not_fit_are_usage_errors():
             ((plain, "--format", "csv", "--radius", 1), "--radius is not for a scene file"),
             ((path, "--format", "csv", "--from", "0,0"), "--from is not for a path"),
             ((csv, "--x-field", "a", "--lat-field", "b"), "not both"),
+            ((csv, "--y-field", "a", "--lon-field", "b"), "not both"),
+            ((csv, "--nonsense"), "Unknown option --nonsense"),
+            ((path, "--format", "csv", "--units", "m"), "must be two units, LENGTH,TIME"),
+            ((csv, *ROBOT, "--units", "m,"), "must be two units, LENGTH,TIME"),
+            ((path, "--format", "gpx", *laid, "--epoch", "9999-12-31T23:59:50Z"), "beyond the year 9999"),
             ((csv, *ROBOT, "--radius", "-1"), '--radius "-1": negative'),
             ((csv, *ROBOT, "--growth", "fast"), '--growth "fast"'),
             ((csv, *ROBOT, "--units", "m"), "must be two units, LENGTH,TIME"),
@@ -555,8 +637,8 @@ def options_that_do_not_fit_are_usage_errors():
             ((path, "--format", "gpx", *laid), "--epoch says which one"),
             ((path, "--format", "gpx", *laid, "--epoch", "2026-06-01T12:00:00"), "must be an instant with its zone"),
             ((path, "--format", "gpx", *laid, "--epoch", "9999-12-31T23:59:59Z"), "beyond the year 9999"),
-            ((path, "--format", "csv", *EPOCH), "--epoch needs the unit of time, which nothing says"),
-            ((path, "--format", "csv", "--origin", "0,0"), "a place on the earth needs the unit of length"),
+            ((path, "--format", "csv", *EPOCH), "p.json needs the unit of time, which nothing says"),
+            ((path, "--format", "csv", "--origin", "0,0"), "p.json needs the unit of length"),
             (("-", "--scene", "-"), "only one of FILE and --scene"),
             ((), "too few arguments")):
         fails(2, [fragment], "convert", *call)
@@ -567,6 +649,8 @@ def options_that_do_not_fit_are_usage_errors():
     fails(2, ["would replace the input"], "convert", plain, "--format", "json", "-o", plain)
     fails(3, ['no column "px"'], "convert", csv, *ROBOT, "--x-field", "px")
     fails(3, ['needs a known unit of time, not "fortnight"'], "convert", path, "--scene", scene("odd.json", units={"time": "fortnight"}), *EPOCH, "--format", "csv")
+    fails(4, ["nowhere.csv"], "convert", "nowhere.csv", *ROBOT)
+    fails(4, ["cannot write /dev/full"], "convert", csv, *ROBOT, "-o", "/dev/full", "--format", "json")
     fails(4, ["nowhere.json"], "convert", csv, *ROBOT, "--scene", "nowhere.json")
     fails(3, ["a.csv"], "convert", csv, *ROBOT, "--scene", csv)
 
@@ -584,6 +668,14 @@ def the_report_says_what_was_converted():
     report = done("convert", path_of(scene(), 5), "-o", "p.csv", "--json").json
     expect_equal([report[key] for key in ("from", "to", "legs", "points", "origin")], ["path", "csv", 1, 2, None])
     expect_near(report["tolerance"], 20e-5, 1e-12)
+
+
+@test
+def a_report_that_cannot_be_written_is_told():
+    with open("/dev/full", "w") as full:
+        ended = subprocess.run([TDSP, "convert", scene(), "-o", "a.csv", "--json"], stdout=full, stderr=subprocess.PIPE)
+    expect_equal(ended.returncode, 4)
+    expect(b"cannot write standard output" in ended.stderr, ended.stderr)
 
 
 @test

@@ -8,7 +8,9 @@
 #include "tdsp/path.h"
 #include "tdsp/path_points.h"
 
-enum { LEGS = 6, PROBES = 3000 };
+enum { LEGS = 6 };
+
+#define PROBES 3000
 
 /* A line, a ride on a disc whose rate changes as three curves, a line, and one that stands still. */
 static PathFile make_path(double size)
@@ -120,6 +122,68 @@ static void a_curve_that_leads_out_of_the_plane_is_refused(void **state)
     assert_string_equal(error->message, "path: legs[2]: leads out of the plane");
 }
 
+static void a_curve_beyond_all_numbers_is_refused(void **state)
+{
+    (void)state;
+    g_auto(PathFile) path = make_path(1);
+    g_auto(PathPoints) points = {0};
+    g_autoptr(GError) error = NULL;
+    g_array_index(path.legs, tdsp_leg, 2).bend_from = 1e308;
+    g_array_index(path.legs, tdsp_leg, 2).bend_to = -1e308;
+    g_array_index(path.legs, tdsp_leg, 2).rate_from = 1.7e308;
+    assert_false(path_points_make("path", &path, &(Georeference){0}, 1, 0, &points, &error));
+    assert_string_equal(error->message, "path: legs[2]: leads out of the plane");
+}
+
+static PathFile one_leg(tdsp_leg leg)
+{
+    PathFile path = {.departure = leg.start_time, .arrival = leg.end_time, .legs = g_array_new(FALSE, FALSE, sizeof(tdsp_leg))};
+    g_array_append_val(path.legs, leg);
+    return path;
+}
+
+static tdsp_leg half_circle(double start, double end, double laps)
+{
+    return (tdsp_leg){.kind = TDSP_LEG_ARC, .turn = 1, .start_time = start, .end_time = end, .from = {1, 0}, .to = {-1, 0}, .radius_from = 1, .radius_to = 1,
+                      .sweep = G_PI * (1 + 2 * laps)};
+}
+
+static void halving_ends_where_time_has_no_number_in_between(void **state)
+{
+    (void)state;
+    const double from[] = {1, nextafter(1, 2)};
+    for (int i = 0; i < 2; i++) {
+        g_auto(PathFile) path = one_leg(half_circle(from[i], nextafter(from[i], 2), 0));
+        g_auto(PathPoints) points = {0};
+        assert_true(path_points_make("path", &path, &(Georeference){0}, 1, 1e-3, &points, NULL));
+        assert_int_equal(points.points->len, 2);
+    }
+}
+
+static void more_laps_than_points_are_refused(void **state)
+{
+    (void)state;
+    g_auto(PathFile) path = one_leg(half_circle(0, 1, 1e6));
+    g_auto(PathPoints) points = {0};
+    g_autoptr(GError) error = NULL;
+    assert_false(path_points_make("path", &path, &(Georeference){0}, 1, 10, &points, &error));
+    assert_non_null(strstr(error->message, "more than 1000000 points"));
+}
+
+/* Beside the pole, the short way from one longitude to the other leads behind it, and there too far from the origin. */
+static void a_long_line_beside_the_pole_is_cut_until_longitudes_serve(void **state)
+{
+    (void)state;
+    g_auto(PathFile) path = one_leg((tdsp_leg){.kind = TDSP_LEG_LINE, .end_time = 10, .from = {-1.49e6, 5e4}, .to = {1.49e6, 5e4}});
+    const Georeference geo = {TRUE, {0, 89.9}};
+    g_auto(PathPoints) points = {0};
+    assert_true(path_points_make("path", &path, &geo, 1, 1000, &points, NULL));
+    for (double time = 0; time <= 10; time += 0.01) {
+        tdsp_point robot = robot_at(&path, time), straight = straight_at(&points, &geo, time);
+        assert_near(hypot(straight.x - robot.x, straight.y - robot.y), 0, 1000);
+    }
+}
+
 static void a_tolerance_that_degrees_cannot_keep_is_refused(void **state)
 {
     (void)state;
@@ -138,6 +202,10 @@ int main(void)
         cmocka_unit_test(every_leg_has_its_ends_and_says_its_number),
         cmocka_unit_test(a_path_that_stands_still_is_two_points_on_the_earth_too),
         cmocka_unit_test(a_curve_that_leads_out_of_the_plane_is_refused),
+        cmocka_unit_test(a_curve_beyond_all_numbers_is_refused),
+        cmocka_unit_test(halving_ends_where_time_has_no_number_in_between),
+        cmocka_unit_test(more_laps_than_points_are_refused),
+        cmocka_unit_test(a_long_line_beside_the_pole_is_cut_until_longitudes_serve),
         cmocka_unit_test(a_tolerance_that_degrees_cannot_keep_is_refused),
     };
     return cmocka_run_group_tests_name("path_points", tests, NULL, NULL);

@@ -86,7 +86,7 @@ static gboolean write_scene(Converting *work, GError **error)
     const SceneDescription *scene = &work->draft.scene;
     g_autoptr(GError) unknown = NULL;
     double metres;
-    if (scene->georeference.known && unit_metres("", scene->length_unit, &metres, &unknown)) work->extent = scene_description_extent(scene) * metres;
+    if (scene->georeference.known && unit_metres(work->file, scene->length_unit, &metres, &unknown)) work->extent = scene_description_extent(scene) * metres;
     if (work->to == CONVERT_CSV) return convert_csv_scene(work->file, scene, work->out, error);
     if (work->to == CONVERT_GEOJSON) return need_origin(work, "GeoJSON", error) && convert_geojson_scene(work->file, scene, work->out, error);
     write_scene_file(scene, work->out);
@@ -133,7 +133,7 @@ static gboolean find_epoch(const ConvertAsked *asked, const Converting *work, co
     char instant[INSTANT_ROOM];
     if (!asked->epoch)
         return work->to != CONVERT_GPX ? TRUE : cli_fail(error, CLI_USAGE, "GPX has instants: --epoch says which one the scene's time 0 is");
-    if (!unit_seconds("--epoch", work->draft.scene.time_unit, &unit, error)) return FALSE;
+    if (!unit_seconds(work->file, work->draft.scene.time_unit, &unit, error)) return FALSE;
     const char *wrong = epoch_parse(asked->epoch, unit, epoch);
     if (!wrong && (!instant_format(instant, epoch, path->departure) || !instant_format(instant, epoch, path->arrival))) wrong = "the path is beyond the year 9999";
     return wrong ? cli_fail(error, CLI_USAGE, "--epoch \"%s\": %s", asked->epoch, wrong) : TRUE;
@@ -156,7 +156,7 @@ static gboolean convert_path(const ConvertAsked *asked, Converting *work, GError
     double metres = 1;
     if (!scene_draft_head(&work->draft, &asked->draft, like_of(work), plane, error) || !read_path(asked, work, &path, error) ||
         (work->to != CONVERT_CSV && !need_origin(work, work->to == CONVERT_GPX ? "GPX" : "GeoJSON", error)) ||
-        (plane->known && !unit_metres("a place on the earth", work->draft.scene.length_unit, &metres, error)) ||
+        (plane->known && !unit_metres(work->file, work->draft.scene.length_unit, &metres, error)) ||
         !find_epoch(asked, work, &path, &epoch, error) ||
         !path_points_make(work->file, &path, plane, metres, asked->tolerance_length, &points, error))
         return FALSE;

@@ -97,7 +97,7 @@ static void put_disc(Writing *to, const tdsp_growing_disc *disc)
 gboolean convert_geojson_scene(const char *file, const SceneDescription *scene, GString *into, GError **error)
 {
     Writing to = {.scene = scene, .out = {into, FALSE}};
-    if (!unit_metres("GeoJSON", scene->length_unit, &to.metres, error) || !georeference_fits(file, scene_description_extent(scene) * to.metres, error)) return FALSE;
+    if (!unit_metres(file, scene->length_unit, &to.metres, error) || !georeference_fits(file, scene_description_extent(scene) * to.metres, error)) return FALSE;
     begin_collection(&to.out);
     scene_description_write_header(scene, &to.out);
     begin_features(&to.out);

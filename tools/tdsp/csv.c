@@ -50,7 +50,7 @@ static char separator_of(const char *at)
 /* Past the end of the line, "\n" or "\r\n", that the cursor is at. */
 static void end_line(Csv *csv)
 {
-    if (*csv->at == '\r' && csv->at[1] == '\n') csv->at++;
+    if (*csv->at == '\r') csv->at++;
     if (*csv->at != '\n') return;
     csv->at++;
     csv->next_line++;

@@ -61,12 +61,12 @@ static double farthest(Sampler *s, const PathPoint *from, const PathPoint *to)
     return fmax(deviation(s, from, to, 0.5), fmax(deviation(s, from, to, 0.25), deviation(s, from, to, 0.75)));
 }
 
-/* A point that is the one before, in time and place, says nothing. FALSE when there are too many. */
+/* A point at the time of the one before is where a leg begins that begins where the last one ended. FALSE when there are too many. */
 static gboolean add(const Sampler *s, const PathPoint *point)
 {
     GArray *points = s->out->points;
     const PathPoint *last = points->len > 0 ? &g_array_index(points, PathPoint, points->len - 1) : NULL;
-    if (last && last->time == point->time && last->place.x == point->place.x && last->place.y == point->place.y) return TRUE;
+    if (last && last->time == point->time) return TRUE;
     if (points->len == PATH_POINTS_MOST) return FALSE;
     g_array_append_vals(points, point, 1);
     return TRUE;
@@ -130,8 +130,18 @@ static gboolean fail_leg(const char *file, guint i, const char *what, GError **e
     return cli_fail(error, CLI_INPUT, "%s: legs[%u]: %s", file, i, what);
 }
 
+static gboolean check_radii(const char *file, const PathFile *path, GError **error)
+{
+    for (guint i = 0; i < path->legs->len; i++) {
+        const tdsp_leg *leg = leg_at(path, i);
+        if (leg->kind != TDSP_LEG_LINE && !(leg->radius_from > 0 && leg->radius_to > 0)) return fail_leg(file, i, "radii must be over zero", error);
+    }
+    return TRUE;
+}
+
 gboolean path_points_check(const char *file, const PathFile *path, GError **error)
 {
+    if (!check_radii(file, path, error)) return FALSE;
     const double size = way(path), lasts = path->arrival - path->departure;
     double time = path->departure;
     if (!isfinite(size)) return cli_fail(error, CLI_INPUT, "%s: a path without a finite length", file);
@@ -140,7 +150,7 @@ gboolean path_points_check(const char *file, const PathFile *path, GError **erro
         if (!(leg->end_time >= leg->start_time)) return fail_leg(file, i, "ends before it starts", error);
         if (!(fabs(leg->start_time - time) <= JOIN * lasts)) return fail_leg(file, i, "does not start when the one before ends", error);
         if (i > 0 && !(apart(leg->from, leg_at(path, i - 1)->to) <= JOIN * size)) return fail_leg(file, i, "does not start where the one before ends", error);
-        if (leg->kind != TDSP_LEG_LINE && !(leg->radius_from > 0 && leg->radius_to > 0)) return fail_leg(file, i, "radii must be over zero", error);
+        if (leg->end_time == leg->start_time && !(apart(leg->from, leg->to) <= JOIN * size)) return fail_leg(file, i, "takes no time to get elsewhere", error);
         time = leg->end_time;
     }
     return TRUE;

@@ -101,6 +101,19 @@ static gboolean merge_unit(char **unit, const char *option, const char *like, GE
     return TRUE;
 }
 
+/* What lies on the earth has units, if nobody says which. */
+static void measure(SceneDescription *scene)
+{
+    if (!*scene->length_unit) {
+        g_free(scene->length_unit);
+        scene->length_unit = g_strdup("m");
+    }
+    if (!*scene->time_unit) {
+        g_free(scene->time_unit);
+        scene->time_unit = g_strdup("s");
+    }
+}
+
 static gboolean merge_units(SceneDraft *draft, const char *option, const SceneDescription *like, GError **error)
 {
     SceneDescription *scene = &draft->scene;
@@ -110,9 +123,8 @@ static gboolean merge_units(SceneDraft *draft, const char *option, const SceneDe
     if (!merge_unit(&scene->length_unit, parts[0], like ? like->length_unit : NULL, error) ||
         !merge_unit(&scene->time_unit, parts[1], like ? like->time_unit : NULL, error))
         return FALSE;
-    /* What lies on the earth is measured, if nobody says in what. */
-    return !draft->geographic || (merge_unit(&scene->length_unit, *scene->length_unit ? NULL : "m", NULL, error) &&
-                                  merge_unit(&scene->time_unit, *scene->time_unit ? NULL : "s", NULL, error));
+    if (draft->geographic) measure(scene);
+    return TRUE;
 }
 
 static void merge_name(SceneDescription *scene, const char *option, const SceneDescription *like)
@@ -187,6 +199,7 @@ static gboolean ends_from_options(SceneDraft *draft, const DraftOptions *options
     return TRUE;
 }
 
+/* An origin where none is asked for: the file's, or the middle; both ends are places of the file or of options then. */
 static gboolean find_origin(SceneDraft *draft, Georeference *plane, GError **error)
 {
     if (!plane->known) *plane = draft->scene.georeference;
@@ -195,8 +208,8 @@ static gboolean find_origin(SceneDraft *draft, Georeference *plane, GError **err
     g_autoptr(GArray) places = g_array_new(FALSE, FALSE, sizeof(tdsp_point));
     for (guint i = 0; i < draft->scene.discs->len; i++)
         g_array_append_val(places, g_array_index(draft->scene.discs, tdsp_growing_disc, i).center);
-    if (draft->has_source) g_array_append_val(places, journey->source);
-    if (draft->has_destination) g_array_append_val(places, journey->destination);
+    g_array_append_val(places, journey->source);
+    g_array_append_val(places, journey->destination);
     const char *wrong = georeference_about((const GeoPlace *)(void *)places->data, places->len, plane);
     return wrong ? cli_fail(error, CLI_INPUT, "%s: %s to project about: --origin LON,LAT", draft->file, wrong) : TRUE;
 }
@@ -239,7 +252,7 @@ static gboolean lay_on_earth(SceneDraft *draft, Georeference plane, GError **err
     Projecting to = {.draft = draft, .plane = &plane};
     if (!plane.known && (!draft->has_source || !draft->has_destination))
         return cli_fail(error, CLI_USAGE, "--scene does not say where on the earth its ends are: give --origin, or --from and --to");
-    if (!find_origin(draft, &plane, error) || !unit_metres("a projection", draft->scene.length_unit, &to.metres, error) ||
+    if (!find_origin(draft, &plane, error) || !unit_metres(draft->file, draft->scene.length_unit, &to.metres, error) ||
         !project_all(draft, &to, error))
         return FALSE;
     draft->scene.georeference = plane;

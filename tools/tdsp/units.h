@@ -5,8 +5,8 @@
 
 #include <glib.h>
 
-/* How many metres, or seconds, a unit has; else an error that says what needs to know (`what`), which units there are and how to say one. */
-gboolean unit_metres(const char *what, const char *unit, double *metres, GError **error);
-gboolean unit_seconds(const char *what, const char *unit, double *seconds, GError **error);
+/* How many metres, or seconds, a unit has; else an error that says which file needs to know, which units there are and how to say one. */
+gboolean unit_metres(const char *file, const char *unit, double *metres, GError **error);
+gboolean unit_seconds(const char *file, const char *unit, double *seconds, GError **error);
 
 #endif

@@ -12,6 +12,9 @@ COVERAGE_MAKE = $(MAKE) --no-print-directory -s COVERAGE=1 CC=$(CLANG) OPTIMIZE=
 COVERAGE_MAKE += SHIM_EVERY=5 FAULTS_SHORT="FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=4 FAULTS_ONCE_ONLY=1 FAULTS_STOP=2000"
 COVERAGE_REPORT = $(PYTHON) tests/coverage/report.py --profiles $(COVERAGE_BUILD)/profiles
 
+# The tests of the freestanding line are objects, too: its inline functions are compiled into each.
+COVERAGE_OBJECTS = $(COVERAGE_BUILD)/libtdsp.so $(COVERAGE_BUILD)/tdsp $(LINE_TESTS:%=$(COVERAGE_BUILD)/tests/unit/test_%)
+
 # The freestanding line by itself, and the unit tests that are about it: those must cover it without the help of others.
 LINE_TESTS := angle bytes contact curve_table forged gap_table guide law matrix outward path polynomial query query_paths reopen single skyline spiral status table tangent
 LINE := $(COVERAGE_BUILD)/line
@@ -43,4 +46,4 @@ coverage: ## measure lines, branches and conditions covered by all tests, and co
 	+@$(COVERAGE_MAKE) all tests faulty-programs
 	+@$(COVERAGE_MAKE) -k run-tests run-faults $(COVERAGE_BUILD)/check/file-faults.result
 	@tests/summary.sh $(COVERAGE_BUILD)/check
-	@$(COVERAGE_REPORT) $(COVERAGE_BUILD)/libtdsp.so $(COVERAGE_BUILD)/tdsp
+	@$(COVERAGE_REPORT) $(COVERAGE_OBJECTS)

@@ -6,6 +6,7 @@
 
 #include "scene/scene.h"
 #include "support/chance.h"
+#include "support/toy_tables.h"
 
 static const tdsp_journey good_journey = {2.0, 0.25, {-3.0, 1.0}, {5.0, -2.0}};
 static const tdsp_disc good_disc = {{1.0, 2.0}, 0.5, 0.1};
@@ -88,6 +89,38 @@ static void missing_arguments_and_too_many_discs_are_refused(void **state)
     assert_int_equal(tdsp_scene_create(&good_journey, &good_disc, 1, NULL, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_scene_create(&good_journey, &good_disc, 0x80000000u, NULL, &scene), TDSP_INVALID_ARGUMENT);
     tdsp_scene_free(NULL);
+}
+
+static void one_bad_disc_among_good_ones_is_enough(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {1.0, 0.0}};
+    for (size_t bad = 0; bad < 3; bad++) {
+        tdsp_disc discs[3] = {{{5.0, 0.0}, 1.0, 0.0}, {{6.0, 0.0}, 1.0, 0.0}, {{7.0, 0.0}, 1.0, 0.0}};
+        tdsp_scene *scene;
+        discs[bad].radius = -1.0;
+        assert_int_equal(tdsp_scene_create(&journey, discs, 3, NULL, &scene), TDSP_BAD_SCENE);
+    }
+}
+
+/* Centres that close in on a point halve the index again and again: it has more nodes than are reserved at first. */
+static void an_index_of_many_levels_without_memory_is_refused(void **state)
+{
+    (void)state;
+    enum { COUNT = 40 };
+    const tdsp_journey journey = {1.0, 0.0, {-2.0, 0.0}, {2.0, 1.0}};
+    tdsp_disc discs[COUNT];
+    for (int i = 0; i < COUNT; i++) discs[i] = (tdsp_disc){{ldexp(1.0, -i), 0.0}, ldexp(0.1, -i), 0.0};
+    tdsp_status status = TDSP_NO_MEMORY;
+    for (size_t refuse = 1; status == TDSP_NO_MEMORY; refuse++) {
+        toy_heap heap = {.refuse = refuse};
+        tdsp_allocator memory = toy_allocator(&heap);
+        tdsp_scene *scene = NULL;
+        status = tdsp_scene_create(&journey, discs, COUNT, &memory, &scene);
+        tdsp_scene_free(scene);
+        assert_int_equal(heap.blocks, 0);
+    }
+    assert_int_equal(status, TDSP_OK);
 }
 
 static void a_scene_hands_out_what_it_was_given(void **state)
@@ -240,6 +273,8 @@ int main(void)
         cmocka_unit_test(each_number_of_a_journey_is_checked),
         cmocka_unit_test(each_number_of_a_disc_is_checked),
         cmocka_unit_test(missing_arguments_and_too_many_discs_are_refused),
+        cmocka_unit_test(one_bad_disc_among_good_ones_is_enough),
+        cmocka_unit_test(an_index_of_many_levels_without_memory_is_refused),
         cmocka_unit_test(a_scene_hands_out_what_it_was_given),
         cmocka_unit_test(the_hash_is_fnv_of_all_doubles_in_order),
         cmocka_unit_test(the_ends_are_covered_when_samples_say_so),

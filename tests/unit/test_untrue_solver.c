@@ -8,15 +8,18 @@
 #include <string.h>
 
 #include "support/world.h"
+#include "tdsp/margin.h"
 #include "tdsp/shape.h"
 #include "tdsp/solver.h"
 #include "tdsp/verify_report.h"
 
-typedef enum untruth { FAILS, TOO_EARLY, LATER, EARLIER, NO_GAP } untruth;
+/* ARRIVES_LATER: from call `at` on. */
+typedef enum untruth { FAILS, TOO_EARLY, LATER, EARLIER, NO_GAP, ARRIVES_LATER } untruth;
 
 static struct {
     untruth how;
     unsigned at; /* of the calls that it can happen to, from 1; 0: never */
+    unsigned stop; /* ARRIVES_LATER: before this call; 0: for ever */
     unsigned calls;
 } now;
 
@@ -35,12 +38,14 @@ static int is_due(void)
 tdsp_status __wrap_tdsp_earliest_arrival(tdsp_solver *solver, double departure, double *arrival)
 {
     if (now.how == FAILS && is_due()) return TDSP_FAILED;
-    return __real_tdsp_earliest_arrival(solver, departure, arrival);
+    tdsp_status status = __real_tdsp_earliest_arrival(solver, departure, arrival);
+    if (now.how == ARRIVES_LATER && now.at && ++now.calls >= now.at && (now.stop == 0 || now.calls < now.stop)) *arrival += 1000.0;
+    return status;
 }
 
 tdsp_status __wrap_tdsp_latest_departure(tdsp_solver *solver, double arrival, double *departure, double *arrives)
 {
-    int due = now.how != NO_GAP && is_due();
+    int due = now.how != NO_GAP && now.how != ARRIVES_LATER && is_due();
     if (due && now.how == FAILS) return TDSP_FAILED;
     if (due && now.how == TOO_EARLY) return TDSP_ARRIVAL_TOO_EARLY;
     tdsp_status status = __real_tdsp_latest_departure(solver, arrival, departure, arrives);
@@ -61,7 +66,7 @@ static void be_untrue(untruth how, unsigned at)
 {
     now.how = how;
     now.at = at;
-    now.calls = 0;
+    now.stop = now.calls = 0;
 }
 
 /* ---------------------------------------------------------------------------------------------------------------- jumps and pieces */
@@ -104,7 +109,7 @@ static tdsp_status find_pieces(tdsp_solver *solver, const tdsp_shape_options *op
 
 static const finder finders[] = {find_jumps, find_pieces};
 
-static tdsp_status find(size_t scene, size_t finder, unsigned *unknown)
+static tdsp_status find(size_t scene, size_t which, unsigned *unknown)
 {
     tdsp_shape_options options;
     tdsp_shape_options_init(&options);
@@ -112,7 +117,7 @@ static tdsp_status find(size_t scene, size_t finder, unsigned *unknown)
     options.resolution = 0.5;
     unsigned own = 0;
     world w = world_make(across, scenes[scene].discs, scenes[scene].count);
-    tdsp_status status = finders[finder](w.solver, &options, unknown ? unknown : &own);
+    tdsp_status status = finders[which](w.solver, &options, unknown ? unknown : &own);
     world_free(w);
     return status;
 }
@@ -164,6 +169,66 @@ static void a_jump_whose_gap_is_not_known_is_one(void **state)
     }
 }
 
+/* ------------------------------------------------------------------------------------------------------------------------ deadlines */
+
+static tdsp_status latest_for(double deadline, tdsp_deadline_answer *out)
+{
+    world w = world_make(across, gate, 2);
+    tdsp_status status = tdsp_solver_deadline(w.solver, deadline, out);
+    world_free(w);
+    return status;
+}
+
+static void a_deadline_says_what_closes_or_only_that_something_jumps(void **state)
+{
+    (void)state;
+    tdsp_deadline_answer answer;
+    be_untrue(FAILS, 0);
+    assert_int_equal(latest_for(30.0, &answer), TDSP_OK);
+    assert_int_equal(answer.witness.limit, TDSP_LIMIT_GAP);
+    be_untrue(NO_GAP, 0);
+    assert_int_equal(latest_for(30.0, &answer), TDSP_OK);
+    assert_int_equal(answer.witness.limit, TDSP_LIMIT_JUMP);
+    for (unsigned at = 1;; at++) {
+        be_untrue(FAILS, at);
+        tdsp_status status = latest_for(30.0, &answer);
+        assert_int_equal(status, now.calls < at ? TDSP_OK : TDSP_FAILED);
+        if (now.calls < at) break;
+    }
+}
+
+/* How far all growth may rise, with arrivals 1000 later from call `from` to before call `stop`: after the hunt, when what it found is solved again. */
+static tdsp_margin margin_with(tdsp_raise how, unsigned from, unsigned stop)
+{
+    tdsp_margin margin = {0};
+    world w = world_make(across, gate, 2);
+    be_untrue(ARRIVES_LATER, from);
+    now.stop = stop;
+    assert_int_equal(tdsp_departure_margin(w.scene, how, 2.0, 40.0, &margin), TDSP_OK);
+    world_free(w);
+    return margin;
+}
+
+static void a_margin_that_does_not_hold_when_it_is_solved_again_is_taken_back(void **state)
+{
+    (void)state;
+    for (int how = 0; how < 2; how++) {
+        const tdsp_margin sound = margin_with((tdsp_raise)how, UINT32_MAX, 0);
+        unsigned again = now.calls; /* at most: the explanation asks, too */
+        assert_true(sound.most > 0.0 && again > 5);
+        tdsp_margin back = sound;
+        while (again > 1 && back.most == sound.most) {
+            --again;
+            back = margin_with((tdsp_raise)how, again, again + 1);
+        }
+        assert_true(back.most < sound.most && back.most > 0.999999 * sound.most);
+        assert_int_equal(back.status, TDSP_OK);
+        const tdsp_margin none = margin_with((tdsp_raise)how, again, 0);
+        assert_true(none.most == -INFINITY && isinf(none.arrival));
+        assert_int_equal(none.witness.limit, TDSP_LIMIT_DEADLINE);
+    }
+}
+
 /* ------------------------------------------------------------------------------------------------------------------- verify --deep */
 
 #define WORLD                                                                                                                    \
@@ -206,6 +271,8 @@ int main(void)
         cmocka_unit_test(an_arrival_between_two_known_ones_that_is_said_to_be_too_early_is_a_failure),
         cmocka_unit_test(departures_outside_their_stretch_end_the_division),
         cmocka_unit_test(a_jump_whose_gap_is_not_known_is_one),
+        cmocka_unit_test(a_deadline_says_what_closes_or_only_that_something_jumps),
+        cmocka_unit_test(a_margin_that_does_not_hold_when_it_is_solved_again_is_taken_back),
         cmocka_unit_test(deep_verification_tells_what_the_solver_contradicts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -79,10 +79,10 @@ static tdsp_status task_try_touch(leave_task *task, const geom_disc *disc, uint3
 }
 
 /* Does the leg of this branch shrink to nothing as the gap between the discs closes? */
-static int task_may_touch(const leave_task *task, const geom_tangent *tangent, uint32_t target)
+static int task_may_touch(const geom_tangent *tangent, uint32_t target)
 {
     int shrinks = (tangent->from->rate + tangent->to->rate < 0.0) == (tangent->root < 0);
-    return target != ENGINE_GOAL && !task_is_start(task) && tangent->to_side != tangent->side && shrinks;
+    return target != ENGINE_GOAL && tangent->to_side != tangent->side && shrinks;
 }
 
 /* Push the leg of one branch, if it leaves this chunk. From a start, whose radius is 0, the second root has none: w = 0, and L would be below 0. */
@@ -96,7 +96,7 @@ static tdsp_status task_try(leave_task *task, const geom_pair *pair, uint32_t ta
                  : is_apart          ? tangent_leave_apart(&tangent, motion->angle, motion->start, motion->end, &leave)
                                      : tangent_leave(&tangent, motion->angle, motion->start, motion->end, &leave);
     if (leaves) return task_push(task, &tangent, target, leave);
-    return !is_apart && task_may_touch(task, &tangent, target) ? task_try_touch(task, tangent.to, target) : TDSP_OK;
+    return !is_apart && task_may_touch(&tangent, target) ? task_try_touch(task, tangent.to, target) : TDSP_OK;
 }
 
 /*

@@ -98,7 +98,7 @@ static double many_discs_met(const many_question *self)
     double farthest = 0.0, met = 0.0;
     for (size_t k = 0; k < self->count; ++k) {
         const scene_ends *ends = &self->places[k].ends;
-        if (!self->places[k].is_known) farthest = fmax(farthest, point_distance(ends->source, ends->destination));
+        farthest = fmax(farthest, point_distance(ends->source, ends->destination));
     }
     index_near(&view, self->direction == ENGINE_FORWARD ? any->source : any->destination, farthest, 0.0, count_disc, &met);
     return met;

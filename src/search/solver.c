@@ -54,7 +54,7 @@ static tdsp_status solver_prepare(tdsp_solver *solver)
 
 tdsp_status tdsp_solver_create_for(const tdsp_scene *scene, tdsp_method method, tdsp_solver **out)
 {
-    if (!scene || !out || method < TDSP_METHOD_AUTO || method > TDSP_METHOD_GENERAL) return TDSP_INVALID_ARGUMENT;
+    if (!scene || !out || (unsigned)method > TDSP_METHOD_GENERAL) return TDSP_INVALID_ARGUMENT;
     tdsp_method narrowest = method_for(scene);
     if (method == TDSP_METHOD_AUTO) method = narrowest;
     if (method < narrowest) return TDSP_NOT_SUPPORTED;

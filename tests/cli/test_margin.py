@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """tdsp margin, and what tdsp depart says of limits."""
+import json
 import math
 
 from harness import GAP_CLOSES, TWO_DISCS, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
@@ -139,6 +140,16 @@ def mistakes_are_usage_errors():
     fails(4, ["nowhere.json"], "margin", scene(), "--path", "nowhere.json")
     none = write("none.json", done("path", scene(), 1000, "--json", status=1).out)
     fails(3, ["none.json", "source_covered"], "margin", scene(), "--path", none)
+
+
+@test
+def a_path_that_fails_as_it_is_has_no_added_rate_where_growth_changes():
+    """How far a factor has to fall is found; a rate that would have to be taken away is not looked for where rates change."""
+    changing = scene(discs=[{"center": [0, 0], "radius": 1, "growth": {"times": [0, 5], "rates": [0.1, 0.12]}}])
+    write("through.json", json.dumps({"departure": 0, "arrival": 20, "status": "ok",
+                                      "legs": [{"type": "line", "start_time": 0, "end_time": 20, "from": [-10, 0], "to": [10, 0]}]}))
+    result = done("margin", changing, 0, "--path", "through.json", "--json").json["results"][0]
+    expect_equal((result["status"], result["path_added"]), ("ok", None))
 
 
 main()

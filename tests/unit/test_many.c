@@ -89,6 +89,28 @@ static void a_source_without_a_way_out_has_an_answer_for_each(void **state)
     world_free(w);
 }
 
+/* Sharing pays by what the first ones took, and then there is nothing to share. */
+static void a_crowd_of_places_of_which_only_the_first_are_apart_is_answered(void **state)
+{
+    (void)state;
+    tdsp_disc discs[DISCS];
+    static tdsp_point places[PLACES];
+    static double times[PLACES];
+    static tdsp_status statuses[PLACES];
+    const int spacings[] = {5, 40, PLACES / 4 + 1}; /* with the last, those asked first */
+    for (size_t i = 0; i < sizeof spacings / sizeof *spacings; ++i) {
+        const int apart = spacings[i];
+        crowd(discs, places);
+        for (int k = 0; k < PLACES; ++k)
+            if (k % apart) places[k] = across.source;
+        world w = world_make(across, discs, DISCS);
+        assert_int_equal(tdsp_earliest_arrivals(w.solver, across.source, 0.5, places, PLACES, times, statuses), TDSP_OK);
+        for (int k = 0; k < PLACES; ++k)
+            if (k % apart) assert_exact(times[k], 0.5);
+        world_free(w);
+    }
+}
+
 static void what_cannot_be_asked_is_refused_and_the_arrays_are_untouched(void **state)
 {
     (void)state;
@@ -107,6 +129,8 @@ static void what_cannot_be_asked_is_refused_and_the_arrays_are_untouched(void **
     assert_int_equal(tdsp_latest_departures(NULL, places, 5, places[0], 9.0, times, NULL, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_latest_departures(w.solver, places, 5, places[0], -1.0, times, NULL, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_latest_departures(w.solver, places, 6, places[0], 9.0, times, NULL, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_latest_departures(w.solver, NULL, 5, places[0], 9.0, times, NULL, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_latest_departures(w.solver, places, 5, places[0], 9.0, NULL, NULL, NULL), TDSP_INVALID_ARGUMENT);
     for (int k = 0; k < 6; ++k) assert_exact(times[k], -7.0);
     assert_int_equal(tdsp_earliest_arrivals(w.solver, places[0], 0.0, NULL, 0, NULL, NULL), TDSP_OK);
     assert_int_equal(tdsp_latest_departures(w.solver, NULL, 0, places[0], INFINITY, NULL, NULL, NULL), TDSP_OK);
@@ -147,6 +171,7 @@ int main(void)
         cmocka_unit_test(many_destinations_in_a_crowd_share_a_search_and_have_their_own_answers),
         cmocka_unit_test(many_sources_in_a_crowd_share_the_search_backwards),
         cmocka_unit_test(a_source_without_a_way_out_has_an_answer_for_each),
+        cmocka_unit_test(a_crowd_of_places_of_which_only_the_first_are_apart_is_answered),
         cmocka_unit_test(what_cannot_be_asked_is_refused_and_the_arrays_are_untouched),
         cmocka_unit_test(a_failing_allocation_is_reported_and_leaves_no_block),
     };

@@ -257,6 +257,7 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(tdsp_search_run(search, &empty, &origin, 1, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_search_run(search, &good, NULL, 1, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_search_run(search, &good, &nan, 1, NULL), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_search_run(search, &good, (tdsp_label[]){nan, origin}, 2, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_search_run(search, &lost, &origin, 1, NULL), TDSP_INVALID_ARGUMENT);
     assert_int_equal(s.count, 0);
     tdsp_search_free(search);
@@ -269,6 +270,7 @@ static void pushing_outside_a_run_is_refused(void **state)
     assert_int_equal(tdsp_search_create(NULL, &search), TDSP_OK);
     assert_int_equal(tdsp_search_push(search, &origin), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_search_push(NULL, &origin), TDSP_INVALID_ARGUMENT);
+    assert_int_equal(tdsp_search_push(search, NULL), TDSP_INVALID_ARGUMENT);
     tdsp_search_free(search);
 }
 

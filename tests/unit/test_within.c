@@ -294,6 +294,10 @@ static void a_time_too_many_journeys_away_is_refused_where_something_grows(void 
     assert_int_equal(ask(w, 1e15, 0.1, &arrival, &lower), TDSP_NOT_SUPPORTED);
     assert_exact(arrival, -1.0);
     assert_exact(lower, -1.0);
+    tdsp_oracle oracle;
+    assert_int_equal(tdsp_solver_oracle(w.solver, &oracle), TDSP_OK);
+    assert_int_equal(oracle.earliest_arrival_within(oracle.ctx, 1e15, 0.1, &arrival, &lower), TDSP_NOT_SUPPORTED);
+    assert_exact(arrival, -1.0);
     world_free(w);
     w = world_make(across, &stands, 1);
     assert_int_equal(ask(w, 1e15, 0.1, &arrival, &lower), TDSP_OK);

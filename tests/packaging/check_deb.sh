@@ -25,6 +25,7 @@ step() {
 }
 # Nothing of the outside's environment is inside.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
+install="apt-get install -y -q --no-install-recommends"
 script() { inside bash -euo pipefail -c "$1"; }
 cleanup() { mountpoint -q "$root/proc" && umount "$root/proc"; }
 trap cleanup EXIT
@@ -32,7 +33,7 @@ trap cleanup EXIT
 fresh_root() {
     cleanup
     rm -rf "$root"
-    debootstrap --variant=minbase "$suite" "$root" "$mirror" && mount -t proc proc "$root/proc"
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" && mount -t proc proc "$root/proc" && ln -sf /proc/self/fd "$root/dev/fd"
 }
 # The machine's way to the mirror, if it has one of its own.
 network() {
@@ -42,10 +43,11 @@ network() {
 }
 install_packages() {
     mkdir -p "$root/debs" && cp "$debs"/*.deb "$root/debs/" && rm -f "$root"/debs/*-dbgsym_*
-    inside apt-get install -y -q --no-install-recommends bash-completion man-db /debs/tdsp-tools_"$version"-*.deb /debs/libtdsp0_"$version"-*.deb
+    script "$install"' bash-completion man-db /debs/libtdsp0_*.deb /debs/tdsp-tools_*.deb'
 }
-install_development() { inside apt-get install -y -q --no-install-recommends gcc libc6-dev pkg-config cmake make /debs/libtdsp-dev_"$version"-*.deb; }
-copy_project() { mkdir -p "$root/project" && cp tests/install/CMakeLists.txt tests/install/*.c examples/scenes/two-discs.json "$root/project/"; }
+install_development() { script "$install"' gcc libc6-dev pkg-config cmake make /debs/libtdsp-dev_*.deb'; }
+install_python() { script "$install"' /debs/python3-tdsp_*.deb'; }
+copy_project() { mkdir -p "$root/project" && cp tests/install/CMakeLists.txt tests/install/*.c tests/packaging/use.py examples/scenes/two-discs.json "$root/project/"; }
 
 [ "$(id -u)" -eq 0 ] || { echo "not ok root: debootstrap and chroot need root"; exit 1; }
 mkdir -p "$(dirname "$root")"
@@ -66,5 +68,7 @@ step "a C program builds by pkg-config and runs" script 'cd /project && gcc -std
 step "it builds against the archive and runs" script 'cd /project && gcc -std=c99 -static program.c $(pkg-config --static --cflags --libs tdsp) -o still && ./still'
 step "a reader builds against the archive of the reader alone" script 'cd /project && gcc -std=c99 reader.c $(pkg-config --cflags --libs tdsp-query) -o reader && ./reader'
 step "a CMake project builds, shared and static, and runs" script 'cd /project && cmake -S . -B made && cmake --build made && made/shared && made/static && made/query'
-step "the packages go without a trace" script 'apt-get purge -y -q libtdsp-dev tdsp-tools libtdsp0 && ! find / -xdev \( -name "*tdsp*" \) -not -path "/debs/*" -not -path "/project/*" -not -path "/proc/*" | grep .'
+step "python3-tdsp installs" install_python
+step "Python solves and builds a table" script 'cd /project && python3 use.py'
+step "the packages go without a trace" script 'apt-get purge -y -q python3-tdsp libtdsp-dev tdsp-tools libtdsp0 && ! find / -xdev \( -name "*tdsp*" \) -not -path "/debs/*" -not -path "/project/*" -not -path "/proc/*" | grep .'
 exit $failed

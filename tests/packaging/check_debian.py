@@ -11,6 +11,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DEBIAN = ROOT / "tools/debian"
+sys.path.insert(0, str(ROOT / "tools/dist"))
+import symbols  # noqa: E402
 
 
 def check(sentence, problem):
@@ -20,21 +22,11 @@ def check(sentence, problem):
     return bool(problem)
 
 
-def exported():
-    """(symbol, version node) of src/libtdsp.map."""
-    nodes = re.findall(r"^(TDSP_[\d.]+) \{(.*?)^\}", (ROOT / "src/libtdsp.map").read_text(), re.M | re.S)
-    return {(name, node) for node, body in nodes for name in re.findall(r"^\s+(tdsp_\w+);", body, re.M)} | {(node, node) for node, _ in nodes}
-
-
-def recorded():
-    return set(re.findall(r"^ (\w[\w.]*)@(\S+) \d", (DEBIAN / "libtdsp0.symbols").read_text(), re.M))
-
-
 def main(version):
     entry = re.match(r"libtdsp \((\S+)-\d+\) ", (DEBIAN / "changelog").read_text())
     failed = check("the changelog is about this version", None if entry and entry[1] == version else f"{entry and entry[1]}, not {version}")
-    differing = sorted(name for name, _ in exported() ^ recorded())
-    failed += check("libtdsp0.symbols has what src/libtdsp.map exports", differing and f"add or remove in tools/debian/libtdsp0.symbols: {', '.join(differing)}")
+    differing = sorted(name for name, _ in symbols.exported() ^ symbols.recorded().keys())
+    failed += check("libtdsp0.symbols has what src/libtdsp.map exports", differing and f"`make abi-record` records {', '.join(differing)}")
     soname = re.match(r"libtdsp\.so\.(\d+) libtdsp(\d+) ", (DEBIAN / "libtdsp0.symbols").read_text())
     failed += check("the package is named by the SONAME", None if soname and soname[1] == soname[2] == version.split(".", maxsplit=1)[0] else str(soname))
     return 1 if failed else 0

@@ -106,6 +106,7 @@ if [ "$tier" = packaging ]; then
     need man-db has_command man
     need dpkg-dev has_command dpkg-buildpackage
     need debhelper has_command dh
+    need dh-python has_command dh_python3
     need lintian has_command lintian
     need debootstrap has_command debootstrap
     need zsh has_command zsh

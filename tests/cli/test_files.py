@@ -39,7 +39,7 @@ def outputs_that_cannot_be_written_are_the_system_s_failure():
 
 @test
 def a_full_standard_output_is_noticed():
-    for arguments in [("arrive", scene(), "0"), ("--help",), ("--version",), ("generate", "crowd", "--n", "3"), ("info", built())]:
+    for arguments in [("arrive", scene(), "0"), ("--help",), ("--version",), ("help", "--json"), ("generate", "crowd", "--n", "3"), ("info", built())]:
         with open("/dev/full", "w") as full:
             ended = subprocess.run([TDSP, *map(str, arguments)], stdout=full, stderr=subprocess.PIPE)
         expect_equal(ended.returncode, 4, str(arguments))

@@ -290,6 +290,7 @@ const char **generate_kind_names(void)
 
 char *generate_kinds(void)
 {
-    g_autofree const char **names = generate_kind_names();
-    return g_strjoinv(", ", (char **)(gpointer)names);
+    GString *names = g_string_new(NULL);
+    for (gsize i = 0; i < G_N_ELEMENTS(kinds); i++) g_string_append_printf(names, "%s%s", i > 0 ? ", " : "", kinds[i].name);
+    return g_string_free(names, FALSE);
 }

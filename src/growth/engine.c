@@ -120,12 +120,19 @@ static tdsp_status ride_begin(growth_engine *engine, growth_ride *ride)
     return push_label(engine, LABEL_RIDE, (uint32_t)engine->ride_count++, ride->start.time);
 }
 
-/* By the heading, which a rider goes on with: by the place, a rounding of the time would turn it, and on a small disc late in time past what it was to leave for. */
+/* Discs smaller than this are pebbles: the rounding of a place turns their normal more than that of an angle. */
+#define PEBBLE 1e-3
+
+/*
+ * By the place, or on a pebble by the heading, which its rider goes on with: there a rounding of the time would turn it past what it was to leave for. Not where the
+ * rate is so near to the robot's speed that the angle between heading and normal is known no better.
+ */
 static double landing_normal(const growth_shape *shape, double sign, const growth_leg *leg)
 {
     tdsp_point out = point_sub(sight_place(&leg->line, leg->arrive), shape->center);
-    if (leg->land.in_fan) return atan2(out.y, out.x);
-    return atan2(leg->line.unit.y, leg->line.unit.x) - leg->side * rider_theta(shape, sign, leg->land.span, leg->land.time);
+    double theta = leg->land.in_fan ? 0.0 : rider_theta(shape, sign, leg->land.span, leg->land.time);
+    if (point_length(out) >= PEBBLE * sin(theta)) return atan2(out.y, out.x);
+    return atan2(leg->line.unit.y, leg->line.unit.x) - leg->side * theta;
 }
 
 static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)

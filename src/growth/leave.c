@@ -195,6 +195,8 @@ static tdsp_status push_part(leave_target *target, double from, double to, int s
         if (!run_matters(target, run, start)) continue;
         target->run = run;
         double a = target_value(target, from), b = target_value(target, to);
+        /* Straight away from the centre both sides are one line, and rounding must not tell them apart: whom a disc just catches from behind it catches for both. */
+        if (!target->chunk && b < 0.0 && b > -GRAZE_VALUE) b = 0.0;
         if ((a < 0.0) != (b < 0.0)) status = push_between(target, from, a, to, b, side);
     }
     target->run = SHAPE_NONE;

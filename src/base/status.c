@@ -9,7 +9,7 @@
 
 int tdsp_status_is_answer(tdsp_status status)
 {
-    return (int)status >= 0 && (int)status < 16;
+    return (unsigned)status < 16;
 }
 
 const char *tdsp_status_name(tdsp_status status)

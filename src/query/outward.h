@@ -87,13 +87,16 @@ static inline double outward_soft_sum(double a, double b, unsigned up)
     uint64_t x = outward_whole(a), y = outward_whole(b);
     uint64_t high = x > y ? x : y, low = x > y ? y : x;
     unsigned exponent = outward_exponent(high), apart = exponent - outward_exponent(low);
-    uint64_t part = outward_significand(low);
-    uint64_t whole = apart < 64 ? part >> apart : 0;
-    uint64_t sum = outward_significand(high) + whole;
-    unsigned carry = (unsigned)(sum >> 53);
-    unsigned cut = ((apart < 64 ? whole << apart : 0) != part) | ((unsigned)sum & carry);
+    if (apart > 63) apart = 63; /* nothing is left of 53 bits either way */
+    uint64_t part = outward_significand(low), whole = part >> apart, sum = outward_significand(high) + whole;
+    unsigned cut = whole << apart != part;
+    if (sum >> 53) {
+        cut |= (unsigned)sum & 1;
+        sum >>= 1;
+        exponent++;
+    }
     /* The bit that is not stored adds the exponent's last 1. */
-    return outward_double(((uint64_t)(exponent - 1 + carry) << 52) + (sum >> carry) + (cut & up));
+    return outward_double(((uint64_t)(exponent - 1) << 52) + sum + (cut & up));
 }
 
 /* ---------------------------------------------------------------------------------------------- whatever is better */

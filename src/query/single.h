@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Floats rounded outward, in whole numbers of 32 bits: times that are not negative.
+ * Floats rounded outward: times that are not negative.
  *
- * A double cut off to a float's bits is rounded down, and the next float is the one rounded up where something was cut off. So with sums. Whatever the
- * order of these steps, each is outward, so the result is. Below the least normal float there are only 0 and that float; over the greatest there
+ * A double cut off to a float's bits is rounded down, and the next float is the one rounded up where something was cut off. Every
+ * step is outward, so the result is. Below the least normal float there are only 0 and that float; over the greatest there
  * are only that one and infinity.
  */
 #ifndef QUERY_SINGLE_H
@@ -53,19 +53,39 @@ static inline uint32_t single_narrow(double x, uint32_t up)
     return (uint32_t)(bits >> SINGLE_CUT) + ((bits << (64 - SINGLE_CUT) != 0) & up);
 }
 
-/* The sum of two floats that are 0 or at least the least normal one, rounded alike. What is below that counts as 0. */
-static inline uint32_t single_sum(uint32_t a, uint32_t b, uint32_t up)
+/* The significand of a float that is at least the least normal one. */
+static inline uint32_t single_significand(uint32_t bits)
+{
+    return (bits & (SINGLE_MIN - 1)) | SINGLE_MIN;
+}
+
+/* The sum of two such floats, in whole numbers. */
+static inline uint32_t single_soft_sum(uint32_t a, uint32_t b, uint32_t up)
 {
     uint32_t high = a > b ? a : b, low = a > b ? b : a;
-    if (low < SINGLE_MIN) return high;
-    uint32_t apart = (high >> 23) - (low >> 23);
-    uint32_t part = (low & (SINGLE_MIN - 1)) | SINGLE_MIN;
-    uint32_t whole = apart < 32 ? part >> apart : 0;
-    uint32_t sum = ((high & (SINGLE_MIN - 1)) | SINGLE_MIN) + whole;
-    uint32_t carry = sum >> 24;
-    uint32_t cut = ((apart < 32 ? whole << apart : 0) != part) | (sum & carry);
-    uint32_t bits = (((high >> 23) - 1 + carry) << 23) + (sum >> carry) + (cut & up);
+    if (low == 0) return high;
+    uint32_t exponent = high >> 23, apart = exponent - (low >> 23);
+    if (apart > 31) apart = 31; /* nothing is left of 24 bits either way */
+    uint32_t part = single_significand(low), whole = part >> apart, sum = single_significand(high) + whole;
+    uint32_t cut = whole << apart != part, carry = sum >> 24;
+    cut |= sum & carry;
+    uint32_t bits = ((exponent - 1 + carry) << 23) + (sum >> carry) + (cut & up);
     return bits > SINGLE_MAX ? SINGLE_MAX + up : bits;
+}
+
+/* ... and in floats, by the error of the sum, as in outward.h. */
+static inline uint32_t single_hard_sum(uint32_t a, uint32_t b, uint32_t up)
+{
+    float high = single_of(a > b ? a : b), low = single_of(a > b ? b : a), sum = high + low;
+    float error = low - (sum - high);
+    return single_bits(sum) + (up ? error > 0 : -(uint32_t)(error < 0));
+}
+
+/* A float's bits and a double >= 0: their sum, rounded as single_narrow() does. */
+static inline uint32_t single_add(uint32_t a, double b, uint32_t up)
+{
+    uint32_t x = a < SINGLE_MIN ? (a > 0 ? up * SINGLE_MIN : 0) : a, y = single_narrow(b, up);
+    return SOFT_FLOAT ? single_soft_sum(x, y, up) : single_hard_sum(x, y, up);
 }
 
 #endif

@@ -84,7 +84,7 @@ static void say_path(const tdsp_table *table, double departure)
     tdsp_leg legs[MOST_LEGS];
     size_t count = 0;
     tdsp_status status = tdsp_table_path(table, departure, legs, MOST_LEGS, &count);
-    printf("  path %s %zu\n", tdsp_status_name(status), count);
+    printf("  path %s %" PRIu64 "\n", tdsp_status_name(status), (uint64_t)count);
     for (size_t i = 0; status == TDSP_OK && i < count; i++) say_leg(&legs[i]);
 }
 

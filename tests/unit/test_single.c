@@ -53,7 +53,9 @@ static void a_double_becomes_the_floats_on_both_sides(void **state)
 static void assert_summed(float a, float b)
 {
     double sum = (double)a + (double)b;
-    float down = single_of(single_sum(single_bits(a), single_bits(b), 0)), up = single_of(single_sum(single_bits(a), single_bits(b), 1));
+    uint32_t x = single_bits(a), y = single_bits(b);
+    assert_true(single_hard_sum(x, y, 0) == single_soft_sum(x, y, 0) && single_hard_sum(x, y, 1) == single_soft_sum(x, y, 1));
+    float down = single_of(single_add(single_bits(a), (double)b, 0)), up = single_of(single_add(single_bits(a), (double)b, 1));
     assert_true((double)down <= sum && sum <= (double)up);
     assert_true(down == up || nextafterf(down, INFINITY) == up);
 }
@@ -70,7 +72,9 @@ static void a_sum_of_floats_is_between_neighbours(void **state)
         uint32_t high = 64 + (uint32_t)chance_below(&chance, 180), low = high - (uint32_t)chance_below(&chance, 40);
         assert_summed(single_of(high << 23 | (uint32_t)(chance_u64(&chance) >> 41)), single_of(low << 23 | (uint32_t)(chance_u64(&chance) >> 41)));
     }
-    assert_exact(single_of(single_sum(SINGLE_MAX, SINGLE_MAX + 1, 1)), INFINITY);
+    assert_exact(single_of(single_add(SINGLE_MAX, 1e300, 1)), INFINITY);
+    assert_exact(single_of(single_add(SINGLE_MIN - 1, 0, 1)), FLT_MIN);
+    assert_exact(single_of(single_add(SINGLE_MIN - 1, 0, 0)), 0);
 }
 
 /* -------------------------------------------------------------------------------------------------------- tables */

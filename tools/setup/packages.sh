@@ -44,6 +44,8 @@ has_gxx() { c_program | compiles g++ c++; }
 has_clang() { c_program | compiles clang-19 c; }
 has_sanitizers() { fuzz_program | compiles clang-19 c -fsanitize=fuzzer,address,undefined; }
 has_callgrind() { has_command valgrind && callgrind_program | compiles gcc c; }
+# Debian's cross compiler comes without a C library, so one is linked with.
+has_firmware() { echo 'int main(void) { return 0; }' | compiles arm-none-eabi-gcc c -mcpu=cortex-m3 -mthumb --specs=rdimon.specs; }
 has_library() { has_command pkg-config && pkg-config --exists "$1"; }
 # Asked for by name where it can be: trying to compile reports the header whatever its version.
 has_cmocka() { has_library cmocka; }
@@ -86,6 +88,9 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need gcc-s390x-linux-gnu has_cross s390x
     need libc6-dev-s390x-cross has_cross s390x
     need qemu-user-static has_command qemu-s390x-static
+    need gcc-arm-none-eabi has_firmware
+    need libnewlib-arm-none-eabi has_firmware
+    need qemu-system-arm has_command qemu-system-arm
     need cmake has_command cmake
     need scdoc has_command scdoc
     need mandoc has_command mandoc

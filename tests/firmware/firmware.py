@@ -1,0 +1,257 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The reader on Cortex-M3, M4F and M7: run in qemu, compared with this machine, and held to budgets.
+
+    firmware.py show FOLDER     run the example and print what the reader takes
+    firmware.py check FOLDER    compare everything, hold it to the budgets, and docs/embedding.md to what was printed
+
+FOLDER has a folder for each core, with robot.elf, measure.elf, answers.elf and libtdsp-query.a, and `host` with the first two for this machine. Sizes are of
+our own objects, after --gc-sections, by functions that are called: what the C library and the compiler bring is counted apart.
+"""
+import functools
+import pathlib
+import re
+import struct
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+sys.path.insert(0, str(ROOT / "tests" / "portable"))
+import reader  # noqa: E402
+
+CORES = {"m3": ("Cortex-M3", "mps2-an385", ["-mcpu=cortex-m3", "-mthumb"]),
+         "m4f": ("Cortex-M4F", "mps2-an386", ["-mcpu=cortex-m4", "-mthumb", "-mfpu=fpv4-sp-d16", "-mfloat-abi=hard"]),
+         "m7": ("Cortex-M7", "mps2-an500", ["-mcpu=cortex-m7", "-mthumb", "-mfpu=fpv5-d16", "-mfloat-abi=hard"])}
+QEMU = ["qemu-system-arm", "-nographic", "-monitor", "none", "-serial", "none", "-semihosting-config", "enable=on,target=native"]
+
+# What a firmware calls: (name, functions, most bytes of code and constants).
+PATHS = ["tdsp_table_leg", "tdsp_table_path", "tdsp_table_position"]
+USES = [("look-up", ["tdsp_table_arrival"], 2048),
+        ("look-up in floats", ["tdsp_table_arrival_float"], 2048),
+        ("look-up, opened by reopen", ["tdsp_table_reopen", "tdsp_table_arrival"], None),
+        ("with path and position, opened by reopen", ["tdsp_table_reopen", "tdsp_table_arrival", *PATHS], 8192),
+        ("opening that checks every byte", ["tdsp_table_open"], None),
+        ("all of these, and the way back", ["tdsp_table_open", "tdsp_table_reopen", "tdsp_table_arrival", "tdsp_table_arrival_float",
+                                            "tdsp_table_departure", *PATHS], None)]
+# Of measure.c: (name there, name here, most bytes of stack, most instructions on an M4F).
+COSTS = [("arrival", "look-up", 256, 600), ("arrival_float", "look-up in floats", 256, 600), ("departure", "latest departure", 256, None),
+         ("position", "position on a leg of any kind", None, None), ("reopen", "reopen", None, None), ("open", "opening that checks every byte", None, None)]
+FUNCTIONS = {"arrival": "tdsp_table_arrival", "arrival_float": "tdsp_table_arrival_float", "departure": "tdsp_table_departure",
+             "position": "tdsp_table_position", "reopen": "tdsp_table_reopen", "open": "tdsp_table_open"}
+# A place may be this many units in the last place off the host's, of the length of the journey.
+MOST_ULPS = 8
+
+
+def run(*command, **options):
+    return subprocess.run([str(word) for word in command], capture_output=True, text=True, errors="replace", timeout=300, **options)
+
+
+def report(name, problem, good=""):
+    print(f"not ok firmware {name}: {problem}" if problem else f"ok firmware {name}{': ' + good if good else ''}")
+    return bool(problem)
+
+
+# ------------------------------------------------------------------------------------------------------------ running
+
+def play(core, program, *options, cwd=None):
+    """What a program prints on a core, or why not."""
+    done = run(QEMU[0], "-M", CORES[core][1], *options, *QEMU[1:], "-kernel", program.resolve(), cwd=cwd)
+    return done.stdout if done.returncode == 0 else f"exit status {done.returncode}: {done.stdout[-300:]} {done.stderr[-300:]}"
+
+
+@functools.lru_cache(None)
+def measured(folder, core):
+    return play(core, folder / core / "measure.elf", "-icount", "shift=0").splitlines()
+
+
+def numbers(lines, kind):
+    """{name: its first number} of lines `KIND NAME [most] NUMBER ...`."""
+    found = {}
+    for line in lines:
+        words = line.replace(" most ", " ").split()
+        if words[:1] == [kind]:
+            found[words[1]] = int(words[2])
+    return found
+
+
+def double(text):
+    return struct.unpack(">d", bytes.fromhex(text))[0]
+
+
+def compare_robot(folder, core):
+    here, there = run(folder / "host" / "robot").stdout, play(core, folder / core / "robot.elf")
+    return report(f"{CORES[core][0]}: the example prints what it prints here", "" if here == there and "there between" in here else there[-300:])
+
+
+def compare_bits(folder, core):
+    """Arrivals and latest departures, in doubles and in floats, to the bit; places in units of the last place."""
+    here, there = run(folder / "host" / "measure").stdout.splitlines(), measured(folder, core)
+    exact = [line for line in here if line.split()[0] in ("rows", "arrival", "departure")]
+    found = [line for line in there if line.split()[:1] and line.split()[0] in ("rows", "arrival", "departure")]
+    wrong = next((f"{b}, not {a}" for a, b in zip(exact, found) if a != b), "" if len(exact) == len(found) > 60 else f"{len(found)} lines, not {len(exact)}")
+    bad = report(f"{CORES[core][0]}: look-ups are those of this machine, to the bit", wrong, f"{len(exact)} lines")
+    places, others = ([[double(word) for word in line.split()[1:]] for line in lines if line.startswith("place")] for lines in (here, there))
+    largest = max(abs(x) for place in places for x in place)
+    ulp = 2.0 ** (int(struct.unpack(">Q", struct.pack(">d", largest))[0] >> 52) - 1075)
+    apart = max((abs(x - y) / ulp for a, b in zip(places, others) for x, y in zip(a, b)), default=1e9)
+    same = sum(a == b for a, b in zip(places, others))
+    problem = "" if len(places) == len(others) > 60 and apart <= MOST_ULPS else f"{apart} units in the last place of {largest:g} apart, {len(others)} places"
+    return report(f"{CORES[core][0]}: places are those of this machine within {MOST_ULPS} units in the last place", problem,
+                  f"{same} of {len(places)} to the bit, the others within {apart:g} of {largest:g}'s") or bad
+
+
+def compare_golden(folder, core):
+    """The golden files, read by the core itself, answered as recorded."""
+    refused, sound = reader.files(reader.GOLDEN / "refused"), reader.sound()
+    recorded = sorted((reader.GOLDEN / "refused.txt").read_text().splitlines()) + (reader.GOLDEN / "answers.txt").read_text().splitlines()
+    with tempfile.TemporaryDirectory() as scratch:
+        for path in refused + sound:
+            (pathlib.Path(scratch) / path.name).write_bytes(path.read_bytes())
+        (pathlib.Path(scratch) / "files.txt").write_text("".join(path.name + "\n" for path in refused + sound))
+        found = play(core, folder / core / "answers.elf", cwd=scratch).splitlines()
+    wrong = [f"{a!r}, not {b!r}" for a, b in zip(found, recorded) if not reader.same(a, b)]
+    if len(found) != len(recorded):
+        wrong.append(f"{len(found)} lines, not {len(recorded)}: {found[-1:]}")
+    return report(f"{CORES[core][0]}: golden files, sound and broken, are answered as recorded", wrong[0] if wrong else "", f"{len(recorded)} lines")
+
+
+# -------------------------------------------------------------------------------------------------------------- sizes
+
+# A long name stands on a line of its own.
+SECTION = re.compile(r"^ (\.(?:text|rodata|data|bss)\S*)\s+0x\w+\s+(0x\w+) (\S+)$", re.M)
+
+
+@functools.lru_cache(None)
+def sizes(folder, core, functions):
+    """Bytes after linking: our code and constants, our data, and what the C library and the compiler bring for them."""
+    with tempfile.TemporaryDirectory() as scratch:
+        image, listing = pathlib.Path(scratch) / "x.elf", pathlib.Path(scratch) / "x.map"
+        done = run("arm-none-eabi-gcc", *CORES[core][2], "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections", f"-Wl,-e,{functions[0]}",
+                   *(f"-Wl,-u,{name}" for name in functions), folder / core / "libtdsp-query.a", "-lm", f"-Wl,-Map,{listing}", "-o", image)
+        if done.returncode:
+            sys.exit(f"not ok firmware sizes: {done.stderr}")
+        text = listing.read_text()
+    ours = data = others = 0
+    for section, size, origin in SECTION.findall(text[text.index("Linker script and memory map"):]):
+        mine = "libtdsp-query.a(" in origin
+        if section.startswith((".data", ".bss")):
+            data += int(size, 16) * mine
+        else:
+            ours, others = ours + int(size, 16) * mine, others + int(size, 16) * (not mine)
+    return ours, data, others
+
+
+# -------------------------------------------------------------------------------------------------------------- stack
+
+NODE = re.compile(r'^node: \{ title: "([^"]+)" label: "[^"]*?(\d+) bytes \((static|dynamic[^)]*)\)', re.M)
+EDGE = re.compile(r'^edge: \{ sourcename: "([^"]+)" targetname: "([^"]+)"', re.M)
+
+
+@functools.lru_cache(None)
+def graph(folder, core):
+    frames, calls = {}, {}
+    for path in (folder / core / "src").rglob("*.ci"):
+        text = path.read_text()
+        frames.update({name: int(size) for name, size, _ in NODE.findall(text)})
+        for caller, callee in EDGE.findall(text):
+            calls.setdefault(caller, set()).add(callee)
+    return frames, calls
+
+
+def chain(folder, core, name):
+    """The stack of our own functions from this one down, by the compiler's frames."""
+    frames, calls = graph(folder, core)
+    return frames.get(name, 0) + max((chain(folder, core, callee) for callee in calls.get(name, ())), default=0)
+
+
+# ------------------------------------------------------------------------------------------------------------ reports
+
+def size_rows(folder):
+    rows = ["| what is called | " + " | ".join(name for name, _, _ in CORES.values()) + " | budget |", "|---|" + "---|" * (len(CORES) + 1)]
+    for name, functions, budget in USES:
+        found = [sizes(folder, core, tuple(functions)) for core in CORES]
+        rows.append(f"| {name} | " + " | ".join(f"{ours} + {others}" for ours, _, others in found) + f" | {budget or ''} |")
+    return rows
+
+
+def cost_rows(folder):
+    rows = ["| a call | " + " | ".join(f"{name}: instructions, stack" for name, _, _ in CORES.values()) + " |", "|---|" + "---|" * len(CORES)]
+    for key, name, _, _ in COSTS:
+        cells = []
+        for core in CORES:
+            lines = measured(folder, core)
+            cells.append(f"{numbers(lines, 'instructions')[key]}, {chain(folder, core, FUNCTIONS[key])} ({numbers(lines, 'stack')[key]})")
+        rows.append(f"| {name} | " + " | ".join(cells) + " |")
+    return rows
+
+
+def check_sizes(folder, core):
+    bad = False
+    for name, functions, budget in USES:
+        ours, data, others = sizes(folder, core, tuple(functions))
+        problem = f"{data} bytes of data" if data else f"{ours} bytes of code, over {budget}" if budget and ours > budget else ""
+        bad |= report(f"{CORES[core][0]}: {name}", problem, f"{ours} bytes of code{f' of {budget}' if budget else ''}, no data, beside {others} of the C library and the compiler")
+    return bad
+
+
+def check_costs(folder, core):
+    lines, bad = measured(folder, core), False
+    instructions, stacks = numbers(lines, "instructions"), numbers(lines, "stack")
+    for key, name, most_stack, most in COSTS:
+        own = chain(folder, core, FUNCTIONS[key])
+        if key not in instructions or key not in stacks:
+            bad |= report(f"{CORES[core][0]}: {name} was measured", " ".join(lines[-1:]) or "nothing was printed")
+            continue
+        bad |= report(f"{CORES[core][0]}: stack of {name}", f"{own} bytes, over {most_stack}" if most_stack and own > most_stack else "",
+                      f"{own} bytes of our frames, {stacks[key]} were used, with the C library's")
+        limit = most if core == "m4f" else None
+        bad |= report(f"{CORES[core][0]}: instructions of {name}", f"{instructions[key]}, over {limit}" if limit and instructions[key] > limit else "",
+                      f"{instructions[key]} at most{f', of {limit}' if limit else ''}")
+    return bad
+
+
+def check_rows(folder):
+    rows = next((line.split() for line in run(folder / "host" / "measure").stdout.splitlines() if line.startswith("rows")), ["rows", "0"])
+    return report("the table that is measured has 256 rows or a few more", "" if 256 <= int(rows[1]) <= 288 else " ".join(rows), " ".join(rows))
+
+
+def compiler():
+    return run("arm-none-eabi-gcc", "-dumpfullversion").stdout.strip()
+
+
+def check_page(folder):
+    """The tables of docs/embedding.md, where they were made with this compiler."""
+    page = (ROOT / "docs" / "embedding.md").read_text()
+    named = re.search(r"arm-none-eabi-gcc (\S+),", page)
+    if not named or named.group(1) != compiler():
+        return report("docs/embedding.md says which compiler its figures are of", "" if named else "it names none", f"{named and named.group(1)}, this is {compiler()}")
+    missing = [row for row in size_rows(folder) + cost_rows(folder) if row not in page]
+    return report("docs/embedding.md has these figures", f"it lacks {missing[0]!r} and {len(missing) - 1} more; `make firmware` prints them" if missing else "")
+
+
+def show(folder):
+    print(run(folder / "host" / "robot").stdout)
+    for core, (name, board, _) in CORES.items():
+        same = play(core, folder / core / "robot.elf") == run(folder / "host" / "robot").stdout
+        print(f"{name} ({board} in qemu) prints {'the same' if same else 'something else'}")
+    print(f"\nBytes of code and constants, ours + the C library's and the compiler's (arm-none-eabi-gcc {compiler()}, -Os):\n")
+    print("\n".join(size_rows(folder)))
+    print("\nInstructions at most, and stack of our own frames (what was used of it, with the C library's), in a table of 256 rows:\n")
+    print("\n".join(cost_rows(folder)))
+    return 0
+
+
+def main():
+    job, folder = sys.argv[1], pathlib.Path(sys.argv[2])
+    if job == "show":
+        return show(folder)
+    bad = [check_rows(folder)]
+    for core in CORES:
+        bad += [test(folder, core) for test in (compare_robot, compare_bits, compare_golden, check_sizes, check_costs)]
+    bad.append(check_page(folder))
+    return int(any(bad))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

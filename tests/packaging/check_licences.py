@@ -11,7 +11,7 @@ import tracked  # noqa: E402
 LINE = "SPDX-License-Identifier: MIT"
 FIRST_LINES = 3
 # Data, prose and pictures; lock files and manifests in formats without comments; records that programs write.
-WITHOUT = {".md", ".json", ".csv", ".tsv", ".txt", ".png", ".svg", ".tdsp", ".tdspm", ".abi", ".supp", ".map", ".lock", ".sum", ".mod", ".bin", ".dict", ".in", ".ipynb",
+WITHOUT = {".md", ".json", ".csv", ".tsv", ".txt", ".png", ".svg", ".tdsp", ".tdspm", ".abi", ".supp", ".map", ".lock", ".sum", ".mod", ".bin", ".dict", ".ipynb",
            ".geojson", ".gpx", ".xml", ".typed", ".places", ".path", ".parquet"}
 NAMED = {"LICENSE", ".gitignore", ".clang-format", ".clang-tidy", ".editorconfig", ".gitattributes"}
 # Files whose names dpkg gives, in formats of its own.

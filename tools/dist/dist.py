@@ -50,8 +50,8 @@ def write(path, content):
 
 
 def warn_of_changes():
-    if (ROOT / ".git").exists():
-        changed = subprocess.run(["git", "-C", ROOT, "status", "--porcelain"], check=True, capture_output=True, text=True).stdout
+    if tracked.is_repository():
+        changed = subprocess.run(["git", "-c", f"safe.directory={ROOT}", "-C", ROOT, "status", "--porcelain"], check=True, capture_output=True, text=True).stdout
         if changed:
             print(f"dist: {len(changed.splitlines())} files are not as they were committed, or are not tracked", file=sys.stderr)
 

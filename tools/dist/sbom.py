@@ -16,6 +16,7 @@ DEPENDENCIES = [
     ("glib", "LGPL-2.1-or-later", "the command tdsp", "DYNAMIC_LINK"),
     ("json-glib", "LGPL-2.1-or-later", "the command tdsp", "DYNAMIC_LINK"),
     ("cairo", "LGPL-2.1-only OR MPL-1.1", "the command tdsp", "DYNAMIC_LINK"),
+    ("numpy", "BSD-3-Clause", "the Python package", "OPTIONAL_DEPENDENCY_OF"),
     ("cmocka", "Apache-2.0", "the tests", "TEST_DEPENDENCY_OF"),
     ("scdoc", "MIT", "the manual pages, when they are made", "BUILD_TOOL_OF"),
 ]

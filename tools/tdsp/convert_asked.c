@@ -51,7 +51,7 @@ static const Option options[] = {
 
 static char **text_of(ConvertAsked *asked, const Option *option)
 {
-    return (char **)(void *)((char *)asked + option->at);
+    return G_STRUCT_MEMBER_P(asked, option->at);
 }
 
 GOptionEntry *convert_asked_entries(ConvertAsked *asked)

@@ -121,7 +121,7 @@ static gboolean read_line(const Csv *csv, const Header *header, const DraftField
 gboolean convert_csv_read(const char *text, gsize length, const DraftFields *fields, SceneDraft *draft, GError **error)
 {
     g_auto(Csv) csv = {0};
-    Header header;
+    Header header = {0};
     if (!csv_begin(draft->file, text, length, &csv, error) || !read_header(&csv, fields, draft, &header, error)) return FALSE;
     while (csv_next(&csv, error)) {
         if (csv.fields->len == 0) return TRUE;
@@ -147,7 +147,7 @@ static void append_place(GString *into, const char *role, tdsp_point place)
 
 static void warn_left_out(const char *file, const SceneDescription *scene)
 {
-    const gboolean units = *scene->length_unit || *scene->time_unit, name = *scene->name, earth = scene->georeference.known;
+    const gboolean units = *scene->length_unit || *scene->time_unit, name = *scene->name != '\0', earth = scene->georeference.known;
     const char *const has[] = {name ? "its name" : NULL, units ? "its units" : NULL, earth ? "its georeference" : NULL};
     g_autoptr(GString) list = g_string_new(NULL);
     for (gsize i = 0; i < G_N_ELEMENTS(has); i++)

@@ -37,16 +37,21 @@ static tdsp_status open_checksums(const unsigned char *bytes, size_t length, uin
     return crc == bytes_get_u32(bytes + FORMAT_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
 }
 
-/* Have the bytes room for so many items, wherever they are? Only then is what they take a size. */
+/* Have the bytes room for so many items of a size? The length came as a size_t, which a small machine divides much faster. */
+static int open_has_room(const tdsp_table *table, uint64_t count, size_t size)
+{
+    return count <= (size_t)table->length / size;
+}
+
+/* ... for all items, wherever they are? Only then is what they take a size. */
 static int open_counts_are_good(const tdsp_table *table)
 {
-    uint64_t length = table->length;
     if (table->by_departure.cells > FORMAT_GUIDE_MAX || table->by_arrival.cells > FORMAT_GUIDE_MAX) return 0;
     if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
-    return table->rows > 0 && table->rows <= length / (3 * 8) && table->waypoint_count <= length / FORMAT_WAYPOINT_SIZE &&
-           table->arc_count <= length / FORMAT_ARC_SIZE && table->opaque_length <= length && table->by_departure.cells <= length &&
-           table->by_arrival.cells <= length && table->curve_count <= length / FORMAT_CURVE_SIZE &&
-           table->gap_count <= length / FORMAT_GAP_SIZE;
+    return table->rows > 0 && open_has_room(table, table->rows, 3 * 8) && open_has_room(table, table->waypoint_count, FORMAT_WAYPOINT_SIZE) &&
+           open_has_room(table, table->arc_count, FORMAT_ARC_SIZE) && open_has_room(table, table->opaque_length, 1) &&
+           open_has_room(table, table->by_departure.cells, 1) && open_has_room(table, table->by_arrival.cells, 1) &&
+           open_has_room(table, table->curve_count, FORMAT_CURVE_SIZE) && open_has_room(table, table->gap_count, FORMAT_GAP_SIZE);
 }
 
 /* Sizes of the sections; the optional ones are empty when there is nothing to index. */
@@ -105,14 +110,13 @@ static int open_sections(const tdsp_table *table, uint32_t header, uint64_t offs
 }
 
 /* The times a guide spans are put in when the rows are known to be good. */
-static tdsp_guide open_guide(const tdsp_table *table, size_t section)
+static void open_guide(const tdsp_table *table, size_t section, tdsp_guide *guide)
 {
-    tdsp_guide guide = {0};
-    if (open_minor(table->bytes) == 0) return guide;
+    memset(guide, 0, sizeof *guide);
+    if (open_minor(table->bytes) == 0) return;
     const unsigned char *p = table_at(table, format_at_offset(section), FORMAT_GUIDE_SIZE);
-    guide.cells = bytes_get_u64(p + FORMAT_GUIDE_AT_CELLS);
-    guide.scale = bytes_get_f64(p + FORMAT_GUIDE_AT_SCALE);
-    return guide;
+    guide->cells = bytes_get_u64(p + FORMAT_GUIDE_AT_CELLS);
+    guide->scale = bytes_get_f64(p + FORMAT_GUIDE_AT_SCALE);
 }
 
 /* How many items a section has that came with version 1.2. */
@@ -133,8 +137,8 @@ static void open_view(tdsp_table *table, const unsigned char *bytes, size_t leng
     table->opaque_length = bytes_get_u64(bytes + FORMAT_AT_OPAQUE_LENGTH);
     table->monotone = bytes_get_u32(bytes + FORMAT_AT_MONOTONE);
     table->joint = bytes_get_u32(bytes + FORMAT_AT_JOINT);
-    table->by_departure = open_guide(table, FORMAT_BY_DEPARTURE);
-    table->by_arrival = open_guide(table, FORMAT_BY_ARRIVAL);
+    open_guide(table, FORMAT_BY_DEPARTURE, &table->by_departure);
+    open_guide(table, FORMAT_BY_ARRIVAL, &table->by_arrival);
     table->curve_count = open_count(table, FORMAT_CURVES);
     table->gap_count = open_count(table, FORMAT_GAPS);
 }

@@ -6,6 +6,7 @@ import json
 import math
 import pathlib
 import pickle
+import signal
 import tempfile
 import unittest
 import warnings
@@ -74,6 +75,14 @@ class SceneTest(unittest.TestCase):
         self.assertEqual(len(calls), 1)
         with self.assertRaisesRegex(tdsp.BadScene, r"discs\[0\]: "):
             tdsp.Scene(1.0, (0, 0), (50, 0), [(20, 5)], 1.0, Law(lambda t: (1 - t, -1.0), until=10.0))
+
+    def test_ctrl_c_inside_a_law_stops_the_scene(self) -> None:
+        def interrupted(time: float) -> tuple[float, float]:
+            signal.raise_signal(signal.SIGINT)
+            return 1.0 + time, 1.0
+
+        with self.assertRaises(KeyboardInterrupt):
+            tdsp.Scene(1.0, (0, 0), (50, 0), [(20, 5)], 1.0, Law(interrupted, until=100.0))
 
     def test_mistakes_name_the_place(self) -> None:
         whole = {"robot": {"speed": 1}, "source": [0, 0], "destination": [1, 1], "discs": [{"center": [5, 5], "radius": 1, "growth": 0}]}

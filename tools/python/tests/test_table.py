@@ -210,7 +210,7 @@ class LifetimeTest(unittest.TestCase):
             del solver, circle
         gc.collect()
 
-    def test_a_hundred_thousand_objects_leave_nothing_behind(self) -> None:
+    def test_ten_thousand_scenes_leave_nothing_behind(self) -> None:
         def resident() -> int:
             gc.collect()
             return int(pathlib.Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
@@ -247,8 +247,13 @@ class ThreadTest(unittest.TestCase):
         self.assertEqual(found, {worker: True for worker in range(4)})
 
     def test_a_question_lets_other_threads_go_on(self) -> None:
-        times, table = np.random.default_rng(1).uniform(0, 60, 3_000_000), gate().build()
+        times, table = np.random.default_rng(1).uniform(0, 60, 2_000_000), gate().build()
         counted, done = [0], threading.Event()
+
+        def meanwhile() -> int:
+            before = counted[0]
+            table.arrivals(times)
+            return counted[0] - before
 
         def count() -> None:
             while not done.is_set():
@@ -257,12 +262,13 @@ class ThreadTest(unittest.TestCase):
 
         other = threading.Thread(target=count)
         other.start()
-        before = counted[0]
-        table.arrivals(times)
-        during = counted[0] - before
+        # With the lock held, the other thread counts once before and once after, however often this is tried.
+        most = 0
+        for _ in range(20):
+            most = most if most > 3 else meanwhile()
         done.set()
         other.join()
-        self.assertGreater(during, 3)
+        self.assertGreater(most, 3)
 
     def test_a_solver_asked_inside_its_own_callback_says_so(self) -> None:
         solver = gate().solver()

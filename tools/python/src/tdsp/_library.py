@@ -9,7 +9,7 @@ import ctypes
 import os
 import pathlib
 import weakref
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 from . import _abi
 
@@ -73,17 +73,20 @@ class Handle:
 
     __slots__ = ("pointer", "__weakref__")
 
-    def __init__(self, pointer: int, free: Callable[[int], Any], *keep: Handle) -> None:
-        self.pointer = pointer
+    def __init__(self, pointer: Optional[int], free: Callable[[int], Any], *keep: Handle) -> None:
+        self.pointer: Any = pointer
         weakref.finalize(self, _free, free, pointer, keep).atexit = False
 
 
-def _free(free: Callable[[int], Any], pointer: int, keep: tuple[Handle, ...]) -> None:
+def _free(free: Callable[[int], Any], pointer: Any, keep: tuple[Handle, ...]) -> None:
     free(pointer)
     del keep
 
 
 def owned(out: ctypes.c_void_p, free: Callable[[int], Any], *keep: Handle) -> Handle:
-    """The handle of what the library put into `out`."""
-    assert out.value is not None, "the library said OK and gave nothing"
-    return Handle(out.value, free, *keep)
+    """The handle of what the library put into `out`; before anything is raised, so that nothing is lost when it made it all the same."""
+    return Handle(out.value, free if out.value else _nothing, *keep)
+
+
+def _nothing(_: Optional[int]) -> None:
+    """What there is to free where the library made nothing."""

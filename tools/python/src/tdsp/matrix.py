@@ -255,11 +255,11 @@ def build_matrix(world: Union[Scene, PairOracle], sources: Sequence[EndLike], de
         status = lib.tdsp_matrix_build(ctypes.byref(plan), ctypes.byref(call.options), None, ctypes.byref(out), ctypes.byref(length),
                                        ctypes.byref(report))
     del names, more
+    data = built_bytes(out, length.value)
     caught.raise_first()
     if status != Status.OK:
         raise error_for(status, _culprit(report, len(starts), len(goals)))
-    return Matrix(built_bytes(out, length.value), _report=MatrixReport(report.tables, report.rows, report.bytes, report.forward_calls,
-                                                                       report.reverse_calls))
+    return Matrix(data, _report=MatrixReport(report.tables, report.rows, report.bytes, report.forward_calls, report.reverse_calls))
 
 
 def _culprit(report: _abi.tdsp_matrix_report, sources: int, destinations: int) -> str:

@@ -239,8 +239,9 @@ def build(world: World, *, guarantee: str = "travel", epsilon: float = 0.01, del
         stack.enter_context(caught.interruptible())
         status = lib.tdsp_build(ctypes.byref(structs[0].value), ctypes.byref(call.options), None, ctypes.byref(out), ctypes.byref(length),
                                 ctypes.byref(report))
+    data = built_bytes(out, length.value)
     caught.check(status, "table")
-    return Table(built_bytes(out, length.value), _report=report_from(report))
+    return Table(data, _report=report_from(report))
 
 
 def hold_solvers(stack: ExitStack, oracles: Sequence[Oracle]) -> None:

@@ -297,13 +297,15 @@ def _create(journey: _abi.tdsp_journey, places: Floats, sizes: Floats, growths: 
         growing = (_abi.tdsp_growing_disc * len(structs))()
         for disc, place, size, struct in zip(growing, places, sizes, structs):
             disc.center, disc.radius, disc.growth = _abi.tdsp_point(*place), float(size), struct.value
-        status = lib.tdsp_scene_create_growing(ctypes.byref(journey), ctypes.byref(growing), len(growing), None, ctypes.byref(out))
+        with caught.interruptible():
+            status = lib.tdsp_scene_create_growing(ctypes.byref(journey), ctypes.byref(growing), len(growing), None, ctypes.byref(out))
         wrong = (lib.tdsp_growing_disc_check(ctypes.byref(disc)) for disc in growing)
+    handle = owned(out, lib.tdsp_scene_free)
     caught.raise_first()
     if status == Status.BAD_SCENE:
         _name_culprit(journey, wrong)
     check(status)
-    return owned(out, lib.tdsp_scene_free)
+    return handle
 
 
 def _name_culprit(journey: _abi.tdsp_journey, wrong: Any) -> None:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ctypes
 from dataclasses import dataclass
-from typing import Callable, NamedTuple, Optional
+from typing import Any, Callable, NamedTuple, Optional
 
 from . import _abi
 from ._abi import Change
 from ._callbacks import Caught
-from ._library import lib, owned
+from ._library import Handle, lib, owned
 from .sampler import Progress, progress_callback
 from .errors import check
 from .solver import INF, Solver
@@ -76,11 +76,13 @@ def _options(start: float, until: float, progress: Optional[Progress], caught: C
 Find = Callable[..., int]
 
 
-def _find(find: Find, solver: Solver, options: _abi.tdsp_shape_options, caught: Caught) -> ctypes.c_void_p:
+def _find(find: Find, free: Any, solver: Solver, options: _abi.tdsp_shape_options, caught: Caught) -> Handle:
     out = ctypes.c_void_p()
     with solver._asking() as pointer, caught.interruptible():
-        caught.check(find(pointer, ctypes.byref(options), ctypes.byref(out)), "departures")
-    return out
+        status = find(pointer, ctypes.byref(options), ctypes.byref(out))
+    handle = owned(out, free)
+    caught.check(status, "departures")
+    return handle
 
 
 def find_jumps(solver: Solver, start: float = 0.0, until: float = INF, least: float = 0.0, progress: Optional[Progress] = None) -> list[ArrivalJump]:
@@ -99,7 +101,7 @@ def find_jumps(solver: Solver, start: float = 0.0, until: float = INF, least: fl
     caught = Caught()
     options = _options(start, until, progress, caught)
     options.least = least
-    handle = owned(_find(lib.tdsp_jumps_find, solver, options, caught), lib.tdsp_jumps_free)
+    handle = _find(lib.tdsp_jumps_find, lib.tdsp_jumps_free, solver, options, caught)
     return [_jump(handle.pointer, i) for i in range(lib.tdsp_jumps_count(handle.pointer))]
 
 
@@ -117,7 +119,7 @@ def find_envelope(solver: Solver, start: float = 0.0, until: float = INF, resolu
     caught = Caught()
     options = _options(start, until, progress, caught)
     options.resolution = resolution
-    handle = owned(_find(lib.tdsp_envelope_find, solver, options, caught), lib.tdsp_envelope_free)
+    handle = _find(lib.tdsp_envelope_find, lib.tdsp_envelope_free, solver, options, caught)
     pieces = tuple(_piece(handle.pointer, i) for i in range(lib.tdsp_envelope_pieces(handle.pointer)))
     return Envelope(pieces, lib.tdsp_envelope_forms(handle.pointer), lib.tdsp_envelope_resolution(handle.pointer))
 

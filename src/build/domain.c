@@ -176,11 +176,11 @@ static tdsp_status end_at_horizon(domain *d, probe *p)
 {
     kept_path_swap(&d->last_path, &p->path);
     double next = round_next_up(d->last.departure);
-    sample after;
+    sample after = d->last;
     tdsp_status status = isfinite(next) ? probe_roughly(p, next, &after) : TDSP_OK;
     if (status != TDSP_OK) return status;
-    if (isfinite(next) && after.status != TDSP_OK) return find_reason(d, p, &after);
-    d->right = isfinite(next) ? fmax(after.lower, d->last.lower) : d->last.lower;
+    if (after.status != TDSP_OK) return find_reason(d, p, &after);
+    d->right = fmax(after.lower, d->last.lower);
     d->reason = TDSP_HORIZON;
     return TDSP_OK;
 }

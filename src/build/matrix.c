@@ -165,7 +165,7 @@ static void write_pairs(const matrix_build *self, const matrix_layout *at, unsig
 
 static void write_header(const matrix_build *self, const matrix_layout *at, unsigned char *bytes)
 {
-    memcpy(bytes, MATRIX_MAGIC, MATRIX_MAGIC_LENGTH);
+    memcpy(bytes, MATRIX_MAGIC, MATRIX_MAGIC_LENGTH); /* NOLINT(bugprone-not-null-terminated-result): eight bytes, no text */
     bytes_put_u16(bytes + MATRIX_AT_MAJOR, MATRIX_MAJOR);
     bytes_put_u16(bytes + MATRIX_AT_MINOR, MATRIX_MINOR);
     bytes_put_u32(bytes + MATRIX_AT_HEADER_LENGTH, MATRIX_HEADER_LENGTH);

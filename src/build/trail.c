@@ -68,7 +68,7 @@ static size_t usable_nodes(const trail *t)
 
 static double neville(const sample *node, size_t n, double value)
 {
-    double p[TRAIL_NODES];
+    double p[TRAIL_NODES] = {0.0};
     for (size_t i = 0; i < n; i++)
         p[i] = node[i].departure;
     for (size_t span = 1; span < n; span++)

@@ -252,14 +252,13 @@ static double touch_meets(const geom_ride *ride, const geom_disc *other, double 
     return moment + (ahead > GEOM_PI ? ahead - GEOM_TURN : ahead) * own / disc->sine;
 }
 
-/* F'' there. */
-static double contact_bend_at(const geom_ride *ride, const geom_disc *other, double time)
+/* The part of F'' there that tells the sides: over 0 where the other disc lies on the other side of the way, below where on the same. */
+static double contact_swing_at(const geom_ride *ride, const geom_disc *other, double time)
 {
     double angle = ride_angle(ride, time), radius = disc_radius(ride->disc, time);
     tdsp_point offset = point_sub(disc_boundary(ride->disc, angle, time), other->center);
     tdsp_point heading = point_unit(disc_heading(ride->disc, ride->side, angle));
-    double swing = ride->side * ride->disc->sine / radius * point_cross(heading, offset);
-    return 2.0 * (1.0 - other->rate * other->rate) + 2.0 * swing;
+    return ride->side * ride->disc->sine / radius * point_cross(heading, offset);
 }
 
 /* How far outside of the ride a touch may seem to be, as a share of its time. */
@@ -282,9 +281,9 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
     for (int step = 0;; ++step) {
         if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
         if (step == TOUCH_STEPS) break;
-        double bend = contact_bend_at(ride, other, at);
-        if (!(bend > 0.0)) return 0;
-        at -= contact_at(ride, other, at, 0.0).slope / bend;
+        double swing = contact_swing_at(ride, other, at);
+        if (!(swing > 0.0)) return 0;
+        at -= contact_at(ride, other, at, 0.0).slope / (2.0 * (1.0 - other->rate * other->rate) + 2.0 * swing);
     }
     *time = fmin(fmax(at, ride->start), ride->end);
     contact_state state = contact_at(ride, other, *time, 0.0), end = contact_at(ride, other, ride->end, 0.0);

@@ -100,7 +100,7 @@ geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
     return leg;
 }
 
-/* The times between t0 and t1 at which |K| <= |D|: *lo > *hi where there are none. */
+/* The times between t0 and t1 at which |K| <= |D|: *lo > *hi where there are none. With a slope of 0 both ends are infinite, and on one side where |K| > |D|. */
 static void domain_of_k(const geom_tangent *tangent, double t0, double t1, double *lo, double *hi)
 {
     double limit = tangent->farthest;
@@ -108,10 +108,6 @@ static void domain_of_k(const geom_tangent *tangent, double t0, double t1, doubl
     double slope = tangent->k_slope;
     *lo = t0;
     *hi = t1;
-    if (slope == 0.0) {
-        if (fabs(k0) > limit) *hi = t0 - 1.0;
-        return;
-    }
     double a = t0 + (-limit - k0) / slope, b = t0 + (limit - k0) / slope;
     if (a > b) {
         double swap = a;
@@ -198,7 +194,7 @@ static double leave_value(const leave_equation *equation, double time, double *s
     return equation->fall_start + tangent->root * (moved - ridden);
 }
 
-/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant. */
+/* Does the departure point stand still on its circle? So it is between the same sides of discs of the same rate: K is constant, and the second root has no legs. */
 static int tangent_stands(const geom_tangent *tangent)
 {
     return tangent->side == tangent->to_side && tangent->from->rate == tangent->to->rate;
@@ -215,7 +211,7 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
     const geom_tangent *tangent = equation->tangent;
     double time = tangent->root > 0 ? lo + spiral_duration(tangent->from, lo, equation->fall_start) : 0.5 * (lo + hi);
     *leave = time;
-    if (time <= hi && tangent->root > 0 && tangent_stands(tangent)) return 1;
+    if (time <= hi && tangent_stands(tangent)) return 1;
     if (!(time < hi)) time = hi;
     for (int step = 0;; ++step) {
         double slope, value = leave_value(equation, time, &slope);
@@ -236,12 +232,10 @@ static int leave_solve(const leave_equation *equation, double lo, double hi, dou
     }
 }
 
-/* Concentric discs: one moment, from every angle. */
+/* Concentric discs: one moment, from every angle; infinite or no number where K never changes. */
 static int leave_concentric(const geom_tangent *tangent, double t0, double t1, double *leave)
 {
-    double slope = tangent->k_slope;
-    if (slope == 0.0) return 0;
-    double time = t0 - tangent_k(tangent, t0) / slope;
+    double time = t0 - tangent_k(tangent, t0) / tangent->k_slope;
     if (!(time >= t0) || !(time <= t1) || tangent_w(tangent, time) >= 0.0) return 0;
     *leave = time;
     return 1;

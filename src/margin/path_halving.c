@@ -64,12 +64,13 @@ static tdsp_status halving_rise(halving *self, double *most, double unit)
 {
     const double base = *most;
     double step = unit / 1024.0;
-    for (; step <= MOST * unit; step *= 2.0) {
+    while (step <= MOST * unit) {
         int is_clear;
         const tdsp_status status = halving_try(self, base + step, &is_clear);
         if (status != TDSP_OK) return status;
         if (!is_clear) return halving_narrow(self, most, base + step);
         *most = base + step;
+        step *= 2.0;
     }
     *most = INFINITY;
     return TDSP_OK;

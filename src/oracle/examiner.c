@@ -88,7 +88,7 @@ double examiner_blur(const examiner *x, double arrival)
 
 int examiner_same(double a, double b)
 {
-    return memcmp(&a, &b, sizeof a) == 0;
+    return memcmp(&a, &b, sizeof a) == 0; /* NOLINT(bugprone-suspicious-memory-comparison,cert-exp42-c,cert-flp37-c): the same bits are meant */
 }
 
 /* SplitMix64. */

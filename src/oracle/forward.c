@@ -260,6 +260,19 @@ static int is_at_end(const examiner *x, const seen *s, size_t without)
     return without < x->seen_count && is_blurred(x, s, &x->seen[without]);
 }
 
+static double certified_value(const examiner *x, const seen *s)
+{
+    return value_of(x, s) - examiner_noise(x, s->departure, s->arrival);
+}
+
+static void judge_pair(examiner *x, const seen *earlier, const seen *later)
+{
+    tdsp_oracle_finding wrong = {TDSP_RULE_ORDER, TDSP_ORACLE_EARLIEST_ARRIVAL, TDSP_OK, later->departure, NAN, earlier->departure,
+                                 value_of(x, later), value_of(x, earlier)};
+    double most = value_of(x, later) + examiner_noise(x, later->departure, later->arrival);
+    if (most < certified_value(x, earlier) && !is_blurred(x, earlier, later)) examiner_note(x, &wrong);
+}
+
 /* Against the departure before that certifies most. */
 static void judge_order(examiner *x)
 {
@@ -269,12 +282,8 @@ static void judge_order(examiner *x)
     for (size_t i = 0; i < x->seen_count; i++) {
         const seen *s = &x->seen[i];
         if (s->status != TDSP_OK || is_at_end(x, s, without)) continue;
-        double least = best ? value_of(x, best) - examiner_noise(x, best->departure, best->arrival) : -INFINITY;
-        double noise = examiner_noise(x, s->departure, s->arrival);
-        tdsp_oracle_finding wrong = {TDSP_RULE_ORDER, TDSP_ORACLE_EARLIEST_ARRIVAL, TDSP_OK, s->departure, NAN, best ? best->departure : NAN,
-                                     value_of(x, s),  best ? value_of(x, best) : NAN};
-        if (value_of(x, s) + noise < least && !is_blurred(x, best, s)) examiner_note(x, &wrong);
-        if (!best || value_of(x, s) - noise > least) best = s;
+        if (best) judge_pair(x, best, s);
+        if (!best || certified_value(x, s) > certified_value(x, best)) best = s;
     }
 }
 

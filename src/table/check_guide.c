@@ -10,11 +10,10 @@
 
 typedef double check_key(const tdsp_table *table, uint64_t row);
 
-/* Cells are numbered by whole numbers that a double holds exactly, and no time is after the last. */
+/* No time is after the last cell; which is one of fewer than 2^32, whose numbers a double holds exactly. */
 static int check_cells(const tdsp_guide *guide)
 {
-    double end = (guide->last - guide->first) * guide->scale;
-    return guide->scale > 0 && end < (double)FORMAT_GUIDE_MAX && guide_cell(guide->first, guide->scale, guide->last) < guide->cells;
+    return guide->scale > 0 && guide_cell(guide->first, guide->scale, guide->last) < guide->cells;
 }
 
 static inline int check_order(const tdsp_table *table, check_key *key)
@@ -50,16 +49,18 @@ static inline uint64_t check_block(const tdsp_table *table, const tdsp_guide *gu
     return row;
 }
 
+/* The last base, which is a u32, says how many rows there are: so there are no more than it can number. */
 static inline int check_guide(const tdsp_table *table, const tdsp_guide *guide, check_key *key)
 {
     uint64_t row = 0;
     if (guide->cells == 0) return guide->scale == 0;
-    if (table->rows > FORMAT_GUIDE_MAX || !check_order(table, key) || !check_cells(guide)) return 0;
+    if (bytes_get_u32(table_at(table, guide_base_at(guide, guide->cells - 1) + 4, 4)) != table->rows) return 0;
+    if (!check_order(table, key) || !check_cells(guide)) return 0;
     for (uint64_t cell = 0; cell < guide->cells; cell += FORMAT_GUIDE_BLOCK) {
         row = check_block(table, guide, key, cell, row);
         if (row >= table->rows) return 0;
     }
-    return bytes_get_u32(table_at(table, guide_base_at(guide, guide->cells - 1) + 4, 4)) == table->rows;
+    return 1;
 }
 
 /* Whole numbers compare as departures do only where the first is +0. */

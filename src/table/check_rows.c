@@ -26,13 +26,13 @@ static check_row check_read_row(const tdsp_table *table, uint64_t row)
     return out;
 }
 
-/* The last right is infinite where nothing follows, and finite where a horizon hides what follows. */
+/* The last right is infinite where nothing follows, and finite where a horizon hides what follows. Departures rise from 0: that is looked at elsewhere. */
 static int check_row_range(const tdsp_table *table, uint64_t row, check_row at)
 {
     uint32_t reason = table_header_u32(table, FORMAT_AT_LAST_REASON);
     int open_end = reason == TDSP_HORIZON || reason == TDSP_OUTSIDE_TABLE;
     int right_finite = row + 1 < table->rows || open_end;
-    if (!(at.departure >= 0) || !(at.left >= 0) || !(at.right >= 0)) return 0;
+    if (!(at.left >= 0) || !(at.right >= 0)) return 0;
     if (!round_is_finite(round_add_up(at.departure, at.left))) return 0;
     return round_is_finite(round_add_up(at.departure, at.right)) == right_finite && (right_finite || at.right > DBL_MAX);
 }

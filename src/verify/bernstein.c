@@ -127,7 +127,7 @@ double bernstein_least(const bernstein *p)
 
 double bernstein_most(const bernstein *p)
 {
-    double most = p->b[0];
+    double most = p->b[0]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): a degree is not below 0, so bernstein_cut() fills both parts */
     for (int k = 1; k <= p->degree; k++) most = fmax(most, p->b[k]);
     return most;
 }
@@ -141,7 +141,7 @@ double bernstein_size(const bernstein *p)
 static double bernstein_maximum_of(const bernstein *p, double *found, double resolution, int halvings)
 {
     const double bound = bernstein_most(p);
-    *found = fmax(*found, fmax(p->b[0], p->b[p->degree]));
+    *found = fmax(*found, fmax(p->b[0], p->b[p->degree])); /* NOLINT(clang-analyzer-core.CallAndMessage): likewise */
     if (!(bound > *found + resolution) || halvings == 0) return bound;
     bernstein low, high;
     bernstein_halve(p, &low, &high);

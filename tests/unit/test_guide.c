@@ -185,7 +185,7 @@ static void a_large_table_has_the_same_answers_too(void **state)
     (void)state;
     uint64_t chance = 23;
     for (size_t which = 0; which < CROWDINGS - 1; which++) {
-        sample s = crowded(&chance, crowdings[which], 140000);
+        sample s = crowded(&chance, crowdings[which], 70000);
         compare_with_and_without(&chance, &s);
         sample_free(&s);
     }

@@ -147,8 +147,61 @@ static void a_leg_along_the_edge_of_a_cover_is_seen_but_not_at_the_chunks_own_en
     skyline sky;
     sky_init(&sky, -0.1, 0.1);
     sky_add(&sky, -0.1, 0.05, 1.0);
+    sky_add(&sky, 0.07, 0.09, 1.0);
     assert_true(sky_hides(&sky, -0.1, -0.1, 2.0));
     assert_false(sky_hides(&sky, 0.05, 0.05, 2.0));
+    assert_false(sky_hides(&sky, 0.07, 0.07, 2.0));
+    assert_true(sky_hides(&sky, 0.08, 0.08, 2.0));
+}
+
+/* What lies beyond the chunk's ends is not asked about; a leg shorter than a reach is seen before it is passed and after. */
+static void a_window_counts_as_far_as_the_chunk_goes_and_a_leg_as_far_as_the_reach(void **state)
+{
+    (void)state;
+    for (int passed = 0; passed < 2; ++passed) {
+        skyline sky;
+        sky_init(&sky, -0.1, 0.1);
+        sky_add(&sky, -0.1, -0.02, 1.0);
+        sky_add(&sky, 0.02, 0.1, 1.0);
+        if (passed) assert_true(sky_advance(&sky, 1.5));
+        assert_true(sky_hides(&sky, -0.2, -0.05, 2.0));
+        assert_true(sky_hides(&sky, 0.05, 0.2, 2.0));
+        assert_false(sky_hides(&sky, -0.2, 0.0, 2.0));
+        assert_false(sky_hides(&sky, 0.0, 0.2, 2.0));
+        assert_false(sky_hides(&sky, -0.05, -0.05, 0.5));
+    }
+}
+
+/* Three covers that are passed out of order, and a fourth that joins the last two. */
+static void covers_that_are_passed_lie_in_order_with_the_longest_reach_of_each(void **state)
+{
+    (void)state;
+    skyline sky;
+    sky_init(&sky, -1.0, 1.0);
+    sky_add(&sky, 0.5, 0.6, 3.0);
+    sky_add(&sky, -0.5, -0.4, 1.0);
+    sky_add(&sky, 0.0, 0.1, 2.0);
+    assert_exact(sky.next, 1.0);
+    assert_true(sky_advance(&sky, 1.0));
+    assert_int_equal(sky.full_count, 1);
+    assert_exact(sky.next, 2.0);
+    assert_true(sky_advance(&sky, 1.5));
+    assert_int_equal(sky.full_count, 1);
+    assert_true(sky_advance(&sky, 3.0));
+    assert_int_equal(sky.full_count, 3);
+    assert_int_equal(sky.near_count, 0);
+    assert_exact(sky.next, INFINITY);
+    for (int i = 0; i < 3; ++i) assert_exact(sky.full[i].reach, i + 1.0);
+    sky_add(&sky, 0.05, 0.55, 2.5);
+    assert_true(sky_advance(&sky, 3.0));
+    assert_int_equal(sky.full_count, 2);
+    assert_exact(sky.full[1].reach, 3.0);
+    assert_near(sky.full[1].from, 0.0, 1e-8);
+    assert_near(sky.full[1].to, 0.6, 1e-8);
+    sky_add(&sky, -0.6, -0.45, 2.9);
+    assert_true(sky_advance(&sky, 3.0));
+    assert_int_equal(sky.full_count, 2);
+    assert_exact(sky.full[0].reach, 2.9);
 }
 
 int main(void)
@@ -160,6 +213,8 @@ int main(void)
         cmocka_unit_test(an_empty_sky_hides_nothing),
         cmocka_unit_test(a_leg_shorter_than_the_reach_is_seen),
         cmocka_unit_test(a_leg_along_the_edge_of_a_cover_is_seen_but_not_at_the_chunks_own_end),
+        cmocka_unit_test(a_window_counts_as_far_as_the_chunk_goes_and_a_leg_as_far_as_the_reach),
+        cmocka_unit_test(covers_that_are_passed_lie_in_order_with_the_longest_reach_of_each),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

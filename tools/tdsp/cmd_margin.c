@@ -71,7 +71,7 @@ static gboolean ask_path(const SceneSolver *solver, const GivenPath *given, Depa
     g_autoptr(GArray) legs = choose_path(solver, given, one->departure, &one->path_status, error);
     if (!legs) return FALSE;
     for (guint how = 0; how < 2 && one->path_status == TDSP_OK; how++) {
-        tdsp_status status = tdsp_path_margin(solver->file.scene, (tdsp_raise)how, (const tdsp_leg *)(void *)legs->data,
+        tdsp_status status = tdsp_path_margin(solver->file.scene, (tdsp_raise)how, (const tdsp_leg *)legs->data,
                                               legs->len, one->departure, &one->path[how]);
         if (status == TDSP_NOT_SUPPORTED)
             one->path_status = status; /* growth that changes */

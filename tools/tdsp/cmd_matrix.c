@@ -85,8 +85,8 @@ static gboolean build(Wanted *wanted, const SceneFile *scene, const EndsFile *so
     options->run_tasks = workers_run;
     options->run_tasks_ctx = workers;
     options->worker_count = workers_count(workers);
-    const tdsp_matrix_end *from = (const tdsp_matrix_end *)(void *)sources->ends->data,
-                          *to = (const tdsp_matrix_end *)(void *)destinations->ends->data;
+    const tdsp_matrix_end *from = (const tdsp_matrix_end *)sources->ends->data,
+                          *to = (const tdsp_matrix_end *)destinations->ends->data;
     Pairs pairs = {scene->scene, workers, from, to};
     const tdsp_matrix_plan plan = {from, sources->ends->len, to, destinations->ends->len, pair_oracle, &pairs};
     tdsp_status status = tdsp_matrix_build(&plan, options, NULL, &built->bytes, &built->length, &built->report);

@@ -62,7 +62,7 @@ static gboolean from_table(const FileIn *file, Path *path, GError **error)
 static gboolean position(const Path *path, double time, tdsp_point *place, GError **error)
 {
     if (path->legs->len == 0) return cli_fail(error, CLI_NO, "no leg to be on at that time");
-    tdsp_status status = tdsp_path_position((const tdsp_leg *)(void *)path->legs->data, path->legs->len, time, place);
+    tdsp_status status = tdsp_path_position((const tdsp_leg *)path->legs->data, path->legs->len, time, place);
     return status == TDSP_OK ? TRUE : cli_fail_status(error, "position", status);
 }
 
@@ -135,7 +135,7 @@ static gboolean print_json(const Path *path, const double *at, const tdsp_point 
         json_out_member_point(&out, "position", *place);
     }
     json_out_key(&out, "legs");
-    path_json_legs(&out, (const tdsp_leg *)(void *)path->legs->data, path->legs->len);
+    path_json_legs(&out, (const tdsp_leg *)path->legs->data, path->legs->len);
     json_out_end(&out, '}');
     return json_out_print(&out, error);
 }

@@ -93,7 +93,7 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Answers, answers_clear)
 static gboolean look_up(const tdsp_table *table, const Asked *asked, Answers *answers, GError **error)
 {
     const GArray *list = asked->by_arrival ? asked->arrivals : asked->departures;
-    const double *times = (const double *)(void *)list->data;
+    const double *times = (const double *)list->data;
     answers->count = list->len;
     answers->first = g_new(double, list->len);
     answers->second = g_new(double, list->len);

@@ -151,7 +151,7 @@ static void label_ends(cairo_t *cr, const Frame *frame, const tdsp_journey *jour
 static double draw_journey(cairo_t *cr, const Frame *frame, const ScenePicture *picture)
 {
     g_auto(Labels) labels = labels_new(frame);
-    const tdsp_leg *legs = (const tdsp_leg *)(void *)picture->legs->data;
+    const tdsp_leg *legs = (const tdsp_leg *)picture->legs->data;
     gsize count = picture->legs->len;
     double step = 0;
     if (count > 0) {

@@ -43,7 +43,7 @@ static gboolean replace_ends(const SceneEnds *ends, tdsp_journey *journey, GErro
 static gboolean prepare(const SceneDescription *scene, SceneFile *out, GError **error)
 {
     Stopwatch watch = stopwatch_start();
-    tdsp_status status = tdsp_scene_create_growing(&scene->journey, (const tdsp_growing_disc *)(void *)scene->discs->data,
+    tdsp_status status = tdsp_scene_create_growing(&scene->journey, (const tdsp_growing_disc *)scene->discs->data,
                                                    scene->discs->len, NULL, &out->scene);
     out->prepare_seconds = stopwatch_seconds(watch);
     return status == TDSP_OK ? TRUE : cli_fail_status(error, out->file, status);

@@ -60,7 +60,7 @@ GArray *scene_solver_path(const tdsp_solver *solver, GError **error)
     }
     GArray *legs = g_array_sized_new(FALSE, TRUE, sizeof(tdsp_leg), (guint)count);
     g_array_set_size(legs, (guint)count);
-    status = tdsp_solver_path(solver, (tdsp_leg *)(void *)legs->data, count, &count);
+    status = tdsp_solver_path(solver, (tdsp_leg *)legs->data, count, &count);
     if (status == TDSP_OK) return legs;
     g_array_unref(legs);
     cli_fail_status(error, "path", status);

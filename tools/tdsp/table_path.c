@@ -13,7 +13,7 @@ static GArray *legs_at(const tdsp_table *table, double departure, GError **error
     GArray *legs = g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
     if (status == TDSP_BUFFER_TOO_SMALL) {
         g_array_set_size(legs, (guint)count);
-        status = tdsp_table_path(table, departure, (tdsp_leg *)(void *)legs->data, count, &count);
+        status = tdsp_table_path(table, departure, (tdsp_leg *)legs->data, count, &count);
     }
     if (status == TDSP_OK) return legs;
     g_array_unref(legs);

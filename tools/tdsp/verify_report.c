@@ -76,7 +76,7 @@ gboolean verify_report_path(VerifyReport *report, const tdsp_scene *scene, const
         verify_report_problem(report, "the file holds no path: its status is %s", path->status);
         return TRUE;
     }
-    tdsp_status status = tdsp_verify_path(scene, (const tdsp_leg *)(void *)path->legs->data, path->legs->len, path->departure,
+    tdsp_status status = tdsp_verify_path(scene, (const tdsp_leg *)path->legs->data, path->legs->len, path->departure,
                                           path->arrival, &verdict);
     if (status != TDSP_OK) return cli_fail_status(error, "verify", status);
     take_verdict(report, "path", &verdict);

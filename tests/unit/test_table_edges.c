@@ -72,6 +72,73 @@ static void a_travel_time_below_0_is_refused_though_arrivals_are_in_order(void *
     }
 }
 
+/* Rounded outward it may be over the right one, and over what follows too. */
+static void a_travel_time_that_falls_is_refused_though_every_right_one_is_below_it(void **state)
+{
+    (void)state;
+    edge e = edge_of(GAP);
+    bytes_put_f64(edge_section(e, FORMAT_LEFT) + 8, 20.9);
+    assert_refused(e);
+}
+
+/* --------------------------------------------------------------------------------------------------------------- paths */
+
+/* The rows of `gap` have the waypoints 0 to 1, 2 to 5, 6 to 10 and 11 to 12. */
+static void edge_put_bounds(edge e, const uint32_t bounds[5], uint64_t legs)
+{
+    for (size_t i = 0; i < 5; i++) bytes_put_u32(edge_section(e, FORMAT_FIRST_WAYPOINT) + 4 * i, bounds[i]);
+    bytes_put_u64(e.bytes + FORMAT_AT_LEGS, legs);
+}
+
+static void edge_put_time(edge e, size_t waypoint, double time)
+{
+    bytes_put_f64(edge_section(e, FORMAT_WAYPOINTS) + FORMAT_WAYPOINT_SIZE * waypoint + FORMAT_WAYPOINT_AT_TIME, time);
+}
+
+static void a_path_of_one_waypoint_is_refused(void **state)
+{
+    (void)state;
+    const uint32_t bounds[] = {0, 2, 6, 12, 13};
+    edge e = edge_of(GAP);
+    edge_put_bounds(e, bounds, 9);
+    edge_put_time(e, 11, 30.5);
+    edge_put_time(e, 12, 12.5);
+    assert_refused(e);
+}
+
+static void waypoints_before_the_first_path_or_behind_the_last_are_refused(void **state)
+{
+    (void)state;
+    const uint32_t before[] = {1, 2, 6, 11, 13}, behind[] = {0, 2, 6, 11, 11};
+    edge e = edge_of(GAP);
+    edge_put_bounds(e, before, 8);
+    assert_refused(e);
+    e = edge_of(GAP);
+    edge_put_bounds(e, behind, 8);
+    assert_refused(e);
+}
+
+/* The third row's path would end before it begins; where it begins, the center of the first arc reads as the departure. */
+static void a_path_that_ends_before_it_begins_is_refused(void **state)
+{
+    (void)state;
+    const uint32_t bounds[] = {0, 2, 13, 11, 13};
+    edge e = edge_of(GAP);
+    edge_put_bounds(e, bounds, 12);
+    for (size_t i = 3; i < 11; i++) edge_put_time(e, i, 5);
+    edge_put_time(e, 12, 20);
+    bytes_put_f64(edge_section(e, FORMAT_ARCS) + FORMAT_ARC_AT_CENTER, 9.75);
+    assert_refused(e);
+}
+
+static void where_a_leg_ends_and_the_next_has_a_waypoint_of_its_own_no_arc_begins(void **state)
+{
+    (void)state;
+    edge e = edge_of(LOOSE);
+    bytes_put_u32(edge_section(e, FORMAT_WAYPOINTS) + FORMAT_WAYPOINT_SIZE + FORMAT_WAYPOINT_AT_ARC, 0);
+    assert_refused(e);
+}
+
 /* -------------------------------------------------------------------------------------------------------------- curves */
 
 static void every_arc_is_looked_at_not_only_the_first(void **state)
@@ -211,6 +278,11 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_must_be_equal_is_not_equal_to_no_number),
         cmocka_unit_test(a_travel_time_below_0_is_refused_though_arrivals_are_in_order),
+        cmocka_unit_test(a_travel_time_that_falls_is_refused_though_every_right_one_is_below_it),
+        cmocka_unit_test(a_path_of_one_waypoint_is_refused),
+        cmocka_unit_test(waypoints_before_the_first_path_or_behind_the_last_are_refused),
+        cmocka_unit_test(a_path_that_ends_before_it_begins_is_refused),
+        cmocka_unit_test(where_a_leg_ends_and_the_next_has_a_waypoint_of_its_own_no_arc_begins),
         cmocka_unit_test(every_arc_is_looked_at_not_only_the_first),
         cmocka_unit_test(a_curve_that_no_leg_has_is_looked_at_too),
         cmocka_unit_test(a_radius_below_0_or_a_rate_over_the_speed_is_refused_however_small_the_curve_looks),

@@ -90,7 +90,7 @@ gboolean file_in_read(const char *path, char **text, gsize *length, GError **err
 /* JSON begins with a bracket after white space; a byte order mark is let pass. */
 static gboolean looks_like_json(const char *text)
 {
-    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3;
+    if (strncmp(text, "\xef\xbb\xbf", 3) == 0) text += 3; /* NOLINT(clang-analyzer-core.NonNullParamChecker): what is read ends with a 0, be it nothing */
     text += strspn(text, " \t\r\n");
     return *text == '{' || *text == '[';
 }
@@ -117,7 +117,7 @@ gboolean file_in_load_any(const char *path, FileIn *file, GError **error)
 
 gboolean file_in_load(const char *path, FileIn *file, GError **error)
 {
-    FileIn loaded;
+    FileIn loaded = {.path = path};
     if (!file_in_load_any(path, &loaded, error)) return FALSE;
     if (loaded.kind == FILE_MATRIX) {
         file_in_clear(&loaded);
@@ -135,7 +135,7 @@ gboolean file_in_need_table(const FileIn *file, GError **error)
 
 gboolean file_in_load_table(const char *path, FileIn *file, GError **error)
 {
-    FileIn loaded;
+    FileIn loaded = {.path = path};
     if (!file_in_load(path, &loaded, error)) return FALSE;
     if (!file_in_need_table(&loaded, error)) {
         file_in_clear(&loaded);

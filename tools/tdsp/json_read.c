@@ -80,14 +80,14 @@ gboolean json_read_object(const JsonValue *value, GError **error)
 
 gboolean json_read_array(const JsonValue *value, guint *length, GError **error)
 {
-    if (!JSON_NODE_HOLDS_ARRAY(value->node)) return fail_type(value, "an array", error);
+    if (!JSON_NODE_HOLDS_ARRAY(value->node)) return fail_type(value, "an array", error); /* NOLINT(clang-analyzer-core.CallAndMessage): a value that was read has a node */
     *length = json_array_get_length(json_node_get_array(value->node));
     return TRUE;
 }
 
 static gboolean holds(const JsonValue *value, GType type)
 {
-    return JSON_NODE_HOLDS_VALUE(value->node) && json_node_get_value_type(value->node) == type;
+    return JSON_NODE_HOLDS_VALUE(value->node) && json_node_get_value_type(value->node) == type; /* NOLINT(clang-analyzer-core.CallAndMessage): a value that was read has a node */
 }
 
 gboolean json_read_number(const JsonValue *value, double *number, GError **error)

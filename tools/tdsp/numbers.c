@@ -7,8 +7,11 @@
 
 const char *number_brief(char buffer[NUMBER_ROOM], double value, int digits)
 {
-    if (isinf(value)) return strcpy(buffer, value > 0 ? "inf" : "-inf");
     char format[8];
+    if (isinf(value)) {
+        g_strlcpy(buffer, value > 0 ? "inf" : "-inf", NUMBER_ROOM);
+        return buffer;
+    }
     g_snprintf(format, sizeof format, "%%.%dg", digits);
     return g_ascii_formatd(buffer, NUMBER_ROOM, format, value);
 }

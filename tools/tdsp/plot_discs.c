@@ -59,7 +59,7 @@ void plot_discs_fill(cairo_t *cr, const Frame *frame, const tdsp_scene *scene, d
     for (guint i = 0; i < dots->len; i++) {
         const Dot *dot = &g_array_index(dots, Dot, i), *next = i + 1 < dots->len ? dot + 1 : NULL;
         if (next && dot_order(dot, next) == 0) continue;
-        cairo_move_to(cr, dot->x, dot->y);
+        cairo_move_to(cr, dot->x, dot->y); /* NOLINT(clang-analyzer-core.NullDereference): an array with elements has data */
         cairo_line_to(cr, dot->x, dot->y);
         if (next && next->radius == dot->radius) continue;
         cairo_set_line_width(cr, 2 * dot->radius);

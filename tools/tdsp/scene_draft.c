@@ -210,7 +210,7 @@ static gboolean find_origin(SceneDraft *draft, Georeference *plane, GError **err
         g_array_append_val(places, g_array_index(draft->scene.discs, tdsp_growing_disc, i).center);
     g_array_append_val(places, journey->source);
     g_array_append_val(places, journey->destination);
-    const char *wrong = georeference_about((const GeoPlace *)(void *)places->data, places->len, plane);
+    const char *wrong = georeference_about((const GeoPlace *)places->data, places->len, plane);
     return wrong ? cli_fail(error, CLI_INPUT, "%s: %s to project about: --origin LON,LAT", draft->file, wrong) : TRUE;
 }
 

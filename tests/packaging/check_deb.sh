@@ -33,7 +33,7 @@ trap cleanup EXIT
 fresh_root() {
     cleanup
     rm -rf "$root"
-    debootstrap --variant=minbase "$suite" "$root" "$mirror" && mount -t proc proc "$root/proc" && ln -sf /proc/self/fd "$root/dev/fd"
+    debootstrap --variant=minbase "$suite" "$root" "$mirror" && mount -t proc proc "$root/proc"
 }
 # The machine's way to the mirror, if it has one of its own.
 network() {

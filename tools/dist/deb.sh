@@ -10,6 +10,8 @@ version=$2
 # What the caller's make was told is not for the package's.
 unset MAKEFLAGS MAKELEVEL MFLAGS BUILD CC CFLAGS CPPFLAGS LDFLAGS SOURCE_DATE_EPOCH PREFIX DESTDIR
 export LC_ALL=C.UTF-8
+# Modes are packed: they are not the caller's choice.
+umask 022
 rm -rf "$3"
 mkdir -p "$3"
 cd "$3"

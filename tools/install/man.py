@@ -87,7 +87,7 @@ def options(command, rows, linked):
 
 
 def description(text, linked):
-    """A section of docs/cli.md without what OPTIONS says and without the usage it opens with; headings a step down."""
+    """A section of docs/cli.md without what OPTIONS says and without the usage it opens with."""
     written = []
     for number, (kind, lines) in enumerate(markdown.blocks(text)):
         is_usage = number == 0 and kind == "code"

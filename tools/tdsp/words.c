@@ -22,7 +22,9 @@ const WordsArgument *words_arguments(void)
 
 static const char *word_of(const char *const *words, guint32 value)
 {
-    return value < g_strv_length((char **)(gpointer)words) ? words[value] : "unknown";
+    for (guint32 i = 0; words[i]; i++)
+        if (i == value) return words[i];
+    return "unknown";
 }
 
 const char *words_guarantee(guint32 guarantee)
@@ -59,8 +61,9 @@ static gboolean parse(const char *const *words, const char *option, const char *
         *value = i;
         return TRUE;
     }
-    g_autofree char *list = g_strjoinv(", ", (char **)(gpointer)words);
-    return cli_fail(error, CLI_USAGE, "%s \"%s\": must be one of %s", option, word, list);
+    g_autoptr(GString) list = g_string_new(NULL);
+    for (guint32 i = 0; words[i]; i++) g_string_append_printf(list, "%s%s", i > 0 ? ", " : "", words[i]);
+    return cli_fail(error, CLI_USAGE, "%s \"%s\": must be one of %s", option, word, list->str);
 }
 
 gboolean words_parse_guarantee(const char *option, const char *word, guint32 *value, GError **error)

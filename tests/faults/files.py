@@ -60,9 +60,6 @@ COMMANDS = {
     "jumps": (("jumps", "scene.json"), None, None),
     "envelope": (("envelope", "scene.json", "--resolution", 1), None, None),
     "info": (("info", "t.tdsp"), None, None),
-    "convert a scene": (("convert", "scene.json", "--format", "csv"), None, None),
-    "convert to a file": (("convert", "places.csv", "-o", "out.json", "--json"), "out.json", None),
-    "convert a path from a pipe": (("convert", "-", "--format", "csv", "--scene", "scene.json"), None, "p.json"),
     "verify": (("verify", "scene.json", "t.tdsp"), None, None),
     "verify again by searching": (("verify", "scene.json", "t.tdsp", "--deep", 3, "--json"), None, None),
 }
@@ -90,7 +87,6 @@ def inputs():
     write("times.csv", "0\n5\n# no more\n9\n")
     write("discs.csv", "x,y,radius,growth\n0,3,1,0.1\n")
     write("fires.geojson", (harness.SCENES / "fires-made-up.geojson").read_bytes().strip())
-    write("places.csv", "role,x,y,radius,growth,speed\nsource,-10,0,,,1\ndestination,10,0,,,\ndisc,0,3,1,0.1,\n")
     write("p.json", done("path", "scene.json", 5, "--json").out)
     done("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--epsilon", 0.5)
 

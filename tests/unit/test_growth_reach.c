@@ -165,11 +165,53 @@ static void what_a_chunk_does_not_look_at_nobody_meets_who_leaves_it(void **stat
     assert_true(hidden_count > 100);
 }
 
+typedef struct visits {
+    uint32_t count, stop_at;
+} visits;
+
+static int visit_count(void *ctx, uint32_t shape)
+{
+    visits *v = ctx;
+    (void)shape;
+    return ++v->count != v->stop_at;
+}
+
+/* Those near a far place in a moment of travel, which are none, or all where the moment is not within the window. */
+static uint32_t visits_at(growth_engine *engine, double sign, double time, uint32_t stop_at)
+{
+    visits v = {0, stop_at};
+    double from = sign > 0.0 ? time : -time;
+    reach_near(&engine->reach, point_make(1e6, 1e6), 0.01, from, from, visit_count, &v);
+    return v.count;
+}
+
+static void check_window(shape_world *w)
+{
+    for (int s = 0; s < 2; ++s) {
+        growth_engine *engine = engine_of(w, signs[s], 2.0);
+        const reach_question ask = {engine->shapes, engine->members, engine->member_count, signs[s], 0.5, 2.0};
+        const uint32_t all = engine->member_count;
+        assert_int_equal(reach_build(&engine->reach, &engine->allocator, &ask), TDSP_OK);
+        reach_limit(&engine->reach, engine->question.goal, engine->limit);
+        assert_int_equal(visits_at(engine, signs[s], 1.0, 0), 0);
+        assert_int_equal(visits_at(engine, signs[s], 0.25, 0), all);
+        assert_int_equal(visits_at(engine, signs[s], 3.0, 0), all);
+        assert_int_equal(visits_at(engine, signs[s], 3.0, 1), 1);
+    }
+}
+
+static void beyond_its_window_everything_is_looked_at_until_that_is_enough(void **state)
+{
+    (void)state;
+    shapes_each(4, 8, SEED + 3000, check_window);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(laws_lie_below_the_discs_above_them),
         cmocka_unit_test(nothing_that_stops_a_motion_is_left_out),
+        cmocka_unit_test(beyond_its_window_everything_is_looked_at_until_that_is_enough),
         cmocka_unit_test(what_a_chunk_does_not_look_at_nobody_meets_who_leaves_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

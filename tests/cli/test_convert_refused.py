@@ -194,6 +194,31 @@ def paths_on_the_earth_are_written_with_and_without_a_name():
 
 
 @test
+def the_corners_of_the_earth_and_of_time_are_written():
+    line = {"type": "line", "start_time": 0, "end_time": 20, "from": [-1e-6, 0], "to": [20, 0]}
+    path = {"departure": 0, "arrival": 20, "status": "ok", "legs": [line]}
+    write("p.json", json.dumps(path))
+    earth = ("--origin", "0,0", "--units", "m,s", "--epoch", "1960-06-01T12:00:00.25Z")
+    text = done("convert", "p.json", "--format", "gpx", *earth).out
+    expect('lon="0"' in text and "1960-06-01T12:00:00.25Z" in text and "1960-06-01T12:00:20.25Z" in text, text)
+    moment = {"departure": 3, "arrival": 3, "status": "ok", "legs": [{**line, "start_time": 3, "end_time": 3, "to": [-1e-6, 0]}]}
+    text = done("convert", write("m.json", json.dumps(moment)), "--format", "geojson", "--speed", 1, *earth).out
+    lines = [feature["geometry"] for feature in json.loads(text)["features"] if feature["geometry"]["type"] == "LineString"]
+    expect(lines and len(lines[0]["coordinates"]) == 2 and lines[0]["coordinates"][0] == lines[0]["coordinates"][1], text)
+
+
+@test
+def places_opposite_the_origin_and_origins_that_are_none_are_refused():
+    opposite = "role,lon,lat,radius,growth,speed\nsource,0,0,,,1\ndestination,1,0,,,\n,179.7,0.3,1,0,\n"
+    fails(3, ["a.csv:4"], "convert", write("a.csv", opposite), "--origin", "0,0", "--format", "json")
+    for origin in (3, [1], ["a", 2], [1, 91]):
+        fails(3, ["georeference"], "convert", scene(georeference={"origin": origin}), "--format", "csv")
+    for one, other in (("--y-field", "--lat-field"), ("--x-field", "--lat-field"), ("--y-field", "--lon-field")):
+        fails(2, ["not both"], "convert", write("a.csv", CSV), one, "y", other, "x", "--format", "json")
+    fails(3, ["s.json"], "convert", write("s.json", '{"robot": 3}'), "--format", "csv")
+
+
+@test
 def a_file_that_is_not_there_or_cannot_be_written_is_the_system_s_failure():
     fails(4, ["absent.csv"], "convert", "absent.csv", "--format", "json")
     write("a.csv", CSV)

@@ -19,7 +19,7 @@ extern "C" {
 
 /**
  * The stated error of arrivals, relative to the travel time plus the scene's own time |sd| / speed; the rounding of a departure
- * and an arrival, 2^-52 of each, comes on top. Times over 2^40 times |sd| / speed in a scene where something grows are refused (by the general method: over 2^20 times), and so is every time in a scene
+ * and an arrival, 2^-52 of each, comes on top, and that of angles: for a ride on a disc of radius R, 2^-50 R / speed. Times over 2^40 times |sd| / speed in a scene where something grows are refused (by the general method: over 2^20 times), and so is every time in a scene
  * with a disc farther away from the journey's middle, or larger, than 1e12 |sd|, unless |sd| is 0.
  *
  * For other ends than the scene's own (tdsp_solver_set_ends()) with a coordinate farther than |sd| from the middle of the scene's journey, that

@@ -88,10 +88,18 @@ double job_arrival(const fuzz_job *job, double departure)
     return arrival;
 }
 
+/* Of the time in which the largest disc is crossed: what rounding of angles makes of it. */
+static double job_largest(const fuzz_job *job)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < job->w->count; i++) largest = fmax(largest, job->w->discs[i].radius);
+    return largest / job->w->journey.speed;
+}
+
 double job_error(const fuzz_job *job, double departure, double arrival)
 {
     const double travel = arrival < INFINITY ? arrival - departure : 0.0, clock = arrival < INFINITY ? arrival : departure;
-    return 2.0 * TDSP_SOLVER_ERROR * (travel + job->w->unit) + 0x1p-50 * clock;
+    return 2.0 * TDSP_SOLVER_ERROR * (travel + job->w->unit) + 0x1p-50 * (clock + job_largest(job));
 }
 
 int job_is_far(const fuzz_job *job, double time)

@@ -2,6 +2,7 @@
 """What the tests share."""
 from __future__ import annotations
 
+import os
 import pathlib
 import random
 
@@ -11,6 +12,11 @@ ROOT = next(folder for folder in pathlib.Path(__file__).resolve().parents if (fo
 GOLDEN = ROOT / "tests" / "golden"
 INDEPENDENT = ROOT / "tests" / "independent" / "golden"
 SCENES = ROOT / "examples" / "scenes"
+
+
+def command_environment() -> dict[str, str]:
+    """For the command, which brings a sanitizer of its own where the library has one."""
+    return {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
 
 
 def gate(**options: object) -> tdsp.Scene:

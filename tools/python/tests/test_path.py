@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 import numpy as np
-from support import SCENES, gate
+from support import SCENES, command_environment, gate
 
 import tdsp
 from tdsp import _abi
@@ -80,6 +80,7 @@ class PathTest(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder) / "path.json"
                 file.write_text(json.dumps(path.to_dict()))
-                done = subprocess.run([command, "verify", SCENES / name, file, "--json"], capture_output=True, text=True)
+                done = subprocess.run([command, "verify", SCENES / name, file, "--json"], capture_output=True, text=True,
+                                      env=command_environment())
             self.assertEqual(done.returncode, 0, done.stderr + done.stdout)
             self.assertTrue(json.loads(done.stdout)["ok"])

@@ -14,7 +14,7 @@ import unittest
 import weakref
 
 import numpy as np
-from support import SCENES, crowd, gate
+from support import SCENES, command_environment, crowd, gate
 
 import tdsp
 from tdsp import Status
@@ -28,7 +28,8 @@ class TableTest(unittest.TestCase):
         for name, options in [("two-discs.json", []), ("fire-oregon-c.json", ["--guarantee", "arrival", "--epsilon", "0.05"])]:
             with tempfile.TemporaryDirectory() as folder:
                 file = pathlib.Path(folder) / "table.tdsp"
-                subprocess.run([command, "build", SCENES / name, "-o", file, *options], check=True, capture_output=True)
+                subprocess.run([command, "build", SCENES / name, "-o", file, *options], check=True, capture_output=True,
+                               env=command_environment())
                 built = tdsp.Scene.load(SCENES / name).build(**({"guarantee": "arrival", "epsilon": 0.05} if options else {}))
                 self.assertEqual(bytes(built), file.read_bytes())
 
@@ -210,6 +211,8 @@ class LifetimeTest(unittest.TestCase):
             del solver, circle
         gc.collect()
 
+
+class LeakTest(unittest.TestCase):
     def test_ten_thousand_scenes_leave_nothing_behind(self) -> None:
         def resident() -> int:
             gc.collect()

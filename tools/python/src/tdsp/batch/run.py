@@ -59,7 +59,10 @@ def run(plan: Plan, folder: PathLike, client: Client, *, retries: int = 3, progr
     with _locked(place):
         _same_plan(plan, place)
         _sweep(place)
-        return _Batch(plan, str(place), client, retries, progress).run()
+        outcome = _Batch(plan, str(place), client, retries, progress).run()
+        # What workers that died in this run left: their parts are done by now, or nobody is at them.
+        _sweep(place)
+        return outcome
 
 
 def _check_workers(client: Client) -> None:

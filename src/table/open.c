@@ -37,21 +37,19 @@ static tdsp_status open_checksums(const unsigned char *bytes, size_t length, uin
     return crc == bytes_get_u32(bytes + FORMAT_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
 }
 
-/* Have the bytes room for so many items of a size? The length came as a size_t, which a small machine divides much faster. */
-static int open_has_room(const tdsp_table *table, uint64_t count, size_t size)
-{
-    return count <= (size_t)table->length / size;
-}
-
-/* ... for all items, wherever they are? Only then is what they take a size. */
+/*
+ * Have the bytes room for so many items, wherever they are? Only then is what they take a size. The length came as a size_t, which a small machine
+ * divides much faster; and each number is compared where it stands, as the proof needs.
+ */
 static int open_counts_are_good(const tdsp_table *table)
 {
+    size_t length = (size_t)table->length;
     if (table->by_departure.cells > FORMAT_GUIDE_MAX || table->by_arrival.cells > FORMAT_GUIDE_MAX) return 0;
     if (table->arc_count > FORMAT_NONE || table->curve_count > FORMAT_NONE - table->arc_count) return 0;
-    return table->rows > 0 && open_has_room(table, table->rows, 3 * 8) && open_has_room(table, table->waypoint_count, FORMAT_WAYPOINT_SIZE) &&
-           open_has_room(table, table->arc_count, FORMAT_ARC_SIZE) && open_has_room(table, table->opaque_length, 1) &&
-           open_has_room(table, table->by_departure.cells, 1) && open_has_room(table, table->by_arrival.cells, 1) &&
-           open_has_room(table, table->curve_count, FORMAT_CURVE_SIZE) && open_has_room(table, table->gap_count, FORMAT_GAP_SIZE);
+    return table->rows > 0 && table->rows <= length / (3 * 8) && table->waypoint_count <= length / FORMAT_WAYPOINT_SIZE &&
+           table->arc_count <= length / FORMAT_ARC_SIZE && table->opaque_length <= length && table->by_departure.cells <= length &&
+           table->by_arrival.cells <= length && table->curve_count <= length / FORMAT_CURVE_SIZE &&
+           table->gap_count <= length / FORMAT_GAP_SIZE;
 }
 
 /* Sizes of the sections; the optional ones are empty when there is nothing to index. */

@@ -48,6 +48,12 @@ class Lines(unittest.TestResult):
         super().addFailure(test, err)
         self._say("not ok", test, self.failures[-1][1])
 
+    def addSubTest(self, test: unittest.TestCase, subtest: unittest.TestCase, err: Any) -> None:
+        failed = len(self.failures) + len(self.errors)
+        super().addSubTest(test, subtest, err)
+        if len(self.failures) + len(self.errors) > failed:
+            self._say("not ok", subtest, (self.failures if issubclass(err[0], test.failureException) else self.errors)[-1][1])
+
     def addSkip(self, test: unittest.TestCase, reason: str) -> None:
         self.failures.append((test, reason))
         self._say("not ok", test, f"skipped: {reason}")

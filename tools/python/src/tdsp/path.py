@@ -81,7 +81,7 @@ class Path:
         if not len(self) and self._place is not None:
             return self._place
         out = _abi.tdsp_point()
-        check(lib.tdsp_path_position(address(self._legs), len(self), time, ctypes.byref(out)), f"time {time!r}")
+        check(lib.tdsp_path_position(address(self._legs), len(self), time, ctypes.byref(out)), f"time {time}")
         return Point(out.x, out.y)
 
     def positions(self, times: npt.ArrayLike) -> Floats:

@@ -195,7 +195,7 @@ class Scene:
         radius, rate = ctypes.c_double(), ctypes.c_double()
         if not 0 <= disc < len(self):
             raise InvalidArgument(f"disc {disc}: the scene has {len(self)} discs")
-        check(lib.tdsp_scene_disc_at(self._handle.pointer, disc, time, ctypes.byref(radius), ctypes.byref(rate)), f"disc {disc} at {time!r}")
+        check(lib.tdsp_scene_disc_at(self._handle.pointer, disc, time, ctypes.byref(radius), ctypes.byref(rate)), f"disc {disc} at {time}")
         return DiscAt(radius.value, rate.value)
 
     def valid_until(self) -> FreeUntil:
@@ -230,7 +230,7 @@ class Scene:
         :param how: "factor": rates times `amount`; "added": `amount` more, a length per time. docs/math/margins.md says what holds for growth that bends
         """
         out = ctypes.c_void_p()
-        check(lib.tdsp_scene_raise(self._handle.pointer, raise_from(how), amount, ctypes.byref(out)), f"growth raised by {amount!r}")
+        check(lib.tdsp_scene_raise(self._handle.pointer, raise_from(how), amount, ctypes.byref(out)), f"growth raised by {amount}")
         scene = Scene.__new__(Scene)
         scene.name, scene.length_unit, scene.time_unit = self.name, self.length_unit, self.time_unit
         scene._laws, scene._handle = None, owned(out, lib.tdsp_scene_free)
@@ -239,7 +239,7 @@ class Scene:
     def departure_margin(self, departure: float, deadline: float = float("inf"), how: str = "factor") -> Margin:
         """How far may all growth rise so that a robot that leaves at `departure`, and plans anew, still arrives by the deadline? `how` as in `raised`."""
         out = _abi.tdsp_margin()
-        check(lib.tdsp_departure_margin(self._handle.pointer, raise_from(how), departure, deadline, ctypes.byref(out)), f"departure {departure!r}")
+        check(lib.tdsp_departure_margin(self._handle.pointer, raise_from(how), departure, deadline, ctypes.byref(out)), f"departure {departure}")
         return margin_from(out)
 
     def path_margin(self, path: Path, how: str = "factor") -> Margin:

@@ -134,7 +134,7 @@ class Solver:
         """
         with self._asking() as pointer:
             status, arrival = self._earliest(pointer, departure, ends_struct(ends))
-        check(status, f"departure {departure!r}")
+        check(status, f"departure {departure}")
         return arrival
 
     def arrivals(self, departures: npt.ArrayLike, ends: Optional[EndsLike] = None) -> Arrivals:
@@ -144,7 +144,7 @@ class Solver:
         with self._asking() as pointer:
             for i, departure in enumerate(asked.ravel()):
                 status, arrival = self._earliest(pointer, float(departure), struct)
-                check_answer(status, f"departures[{i}] {departure!r}")
+                check_answer(status, f"departures[{i}] {departure}")
                 out.arrival.flat[i], out.status.flat[i] = arrival, status
         return out
 
@@ -159,7 +159,7 @@ class Solver:
     def _within(self, pointer: int, departure: float, delta: float) -> Within:
         arrival, lower = ctypes.c_double(), ctypes.c_double()
         check(lib.tdsp_earliest_arrival_within(pointer, departure, delta, ctypes.byref(arrival), ctypes.byref(lower)),
-              f"departure {departure!r} within {delta!r}")
+              f"departure {departure} within {delta}")
         return Within(arrival.value, lower.value)
 
     def latest_departure(self, arrival: float, ends: Optional[EndsLike] = None) -> float:
@@ -170,7 +170,7 @@ class Solver:
         """
         with self._asking() as pointer:
             status, departure, _ = self._latest(pointer, arrival, ends_struct(ends))
-        check(status, f"arrival {arrival!r}")
+        check(status, f"arrival {arrival}")
         return departure
 
     def latest_departures(self, arrivals: npt.ArrayLike, ends: Optional[EndsLike] = None) -> LatestDepartures:
@@ -180,7 +180,7 @@ class Solver:
         with self._asking() as pointer:
             for i, arrival in enumerate(asked.ravel()):
                 status, departure, arrives = self._latest(pointer, float(arrival), struct)
-                check_answer(status, f"arrivals[{i}] {arrival!r}")
+                check_answer(status, f"arrivals[{i}] {arrival}")
                 out.departure.flat[i], out.arrives.flat[i], out.status.flat[i] = departure, arrives, status
         return out
 
@@ -195,7 +195,7 @@ class Solver:
         start = point(self.ends.source if source is None else source, "source")
         with self._asking() as pointer:
             check(lib.tdsp_earliest_arrivals(pointer, start, departure, address(places), len(places), address(out.arrival), address(out.status)),
-                  f"departure {departure!r}")
+                  f"departure {departure}")
         return out
 
     def departures_from(self, sources: npt.ArrayLike, arrival: float, destination: Optional[PointLike] = None) -> LatestDepartures:
@@ -209,7 +209,7 @@ class Solver:
         goal = point(self.ends.destination if destination is None else destination, "destination")
         with self._asking() as pointer:
             check(lib.tdsp_latest_departures(pointer, address(places), len(places), goal, arrival, address(out.departure), address(out.arrives),
-                                             address(out.status)), f"arrival {arrival!r}")
+                                             address(out.status)), f"arrival {arrival}")
         out.departure[out.status != Status.OK] = -INF
         out.arrives[out.status != Status.OK] = INF
         return out
@@ -219,7 +219,7 @@ class Solver:
         struct = ends_struct(ends)
         with self._asking() as pointer:
             status, arrival = self._earliest(pointer, departure, struct)
-            check(status, f"departure {departure!r}")
+            check(status, f"departure {departure}")
             return self._last_path(pointer, departure, arrival, struct)
 
     def path_within(self, departure: float, delta: float) -> Path:
@@ -232,9 +232,9 @@ class Solver:
         struct = ends_struct(ends)
         with self._asking() as pointer:
             status, departure, arrives = self._latest(pointer, arrival, struct)
-            check(status, f"arrival {arrival!r}")
+            check(status, f"arrival {arrival}")
             if departure == INF:
-                raise NoAnswer(f"arrival {arrival!r}: there is no last departure")
+                raise NoAnswer(f"arrival {arrival}: there is no last departure")
             return self._last_path(pointer, departure, arrives, struct)
 
     def _last_path(self, pointer: int, departure: float, arrival: float, ends: Optional[_abi.tdsp_ends]) -> Path:
@@ -263,21 +263,21 @@ class Solver:
             status = lib.tdsp_solver_gap(pointer, departure, ctypes.byref(out))
         if status == Status.NO_ANSWER:
             return None
-        check(status, f"departure {departure!r}")
+        check(status, f"departure {departure}")
         return gap_from(out)
 
     def deadline(self, deadline: float) -> Deadline:
         """The latest departure for a deadline, and what keeps one from leaving later; infinity asks for the last of all."""
         out = _abi.tdsp_deadline_answer()
         with self._asking() as pointer:
-            check(lib.tdsp_solver_deadline(pointer, deadline, ctypes.byref(out)), f"deadline {deadline!r}")
+            check(lib.tdsp_solver_deadline(pointer, deadline, ctypes.byref(out)), f"deadline {deadline}")
         return deadline_from(out)
 
     def slack(self, departure: float, deadline: float = INF) -> Slack:
         """What a departure has to spare against a deadline."""
         out = _abi.tdsp_slack()
         with self._asking() as pointer:
-            check(lib.tdsp_solver_slack(pointer, departure, deadline, ctypes.byref(out)), f"departure {departure!r}")
+            check(lib.tdsp_solver_slack(pointer, departure, deadline, ctypes.byref(out)), f"departure {departure}")
         latest = deadline_from(out.latest) if out.latest_status == Status.OK else None
         return Slack(Status(out.status), out.arrival, out.early, out.later, Status(out.latest_status), latest)
 

@@ -175,7 +175,7 @@ class Table:
         :raises NoWay: why there is no answer at this departure
         """
         lower, upper = ctypes.c_double(), ctypes.c_double()
-        check(lib.tdsp_table_arrival(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure!r}")
+        check(lib.tdsp_table_arrival(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure}")
         return Interval(lower.value, upper.value)
 
     def arrival_float(self, departure: float) -> Interval:
@@ -184,7 +184,7 @@ class Table:
         :raises NoWay: why there is no answer at this departure
         """
         lower, upper = ctypes.c_float(), ctypes.c_float()
-        check(lib.tdsp_table_arrival_float(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure!r}")
+        check(lib.tdsp_table_arrival_float(self._pointer, departure, ctypes.byref(lower), ctypes.byref(upper)), f"departure {departure}")
         return Interval(lower.value, upper.value)
 
     def departure(self, arrival: float) -> Departure:
@@ -193,7 +193,7 @@ class Table:
         :raises ArrivalTooEarly: no row certifies an arrival that early
         """
         departure, upper = ctypes.c_double(), ctypes.c_double()
-        check(lib.tdsp_table_departure(self._pointer, arrival, ctypes.byref(departure), ctypes.byref(upper)), f"arrival {arrival!r}")
+        check(lib.tdsp_table_departure(self._pointer, arrival, ctypes.byref(departure), ctypes.byref(upper)), f"arrival {arrival}")
         return Departure(departure.value, upper.value)
 
     def arrivals(self, departures: npt.ArrayLike, out: Out = None) -> Intervals:
@@ -219,7 +219,7 @@ class Table:
     def row_at(self, departure: float) -> int:
         """The number of the row that answers a departure. :raises NoWay: none does, and why"""
         row = ctypes.c_uint64()
-        check(lib.tdsp_table_find(self._pointer, departure, ctypes.byref(row)), f"departure {departure!r}")
+        check(lib.tdsp_table_find(self._pointer, departure, ctypes.byref(row)), f"departure {departure}")
         return row.value
 
     def rows_at(self, departures: npt.ArrayLike) -> tuple[npt.NDArray[np.uint64], Statuses]:
@@ -252,7 +252,7 @@ class Table:
 
         :raises NoWay: there is none, and why
         """
-        legs = read_legs(lambda *room: lib.tdsp_table_path(self._pointer, departure, *room), f"departure {departure!r}")
+        legs = read_legs(lambda *room: lib.tdsp_table_path(self._pointer, departure, *room), f"departure {departure}")
         if len(legs):
             return Path(legs, departure, float(legs["end_time"][-1]))
         return Path(legs, departure, self.arrival(departure).upper, self.info.source)
@@ -260,7 +260,7 @@ class Table:
     def leg(self, departure: float, leg: int) -> Any:
         """One leg of the path that answers a departure: a record of LEG_DTYPE. :raises NoAnswer: the path has no leg of that number"""
         out = np.zeros(1, LEG_DTYPE)
-        check(lib.tdsp_table_leg(self._pointer, departure, _number(leg), address(out)), f"departure {departure!r}, leg {leg}")
+        check(lib.tdsp_table_leg(self._pointer, departure, _number(leg), address(out)), f"departure {departure}, leg {leg}")
         return out[0]
 
     def row_path(self, row: int) -> Path:
@@ -282,7 +282,7 @@ class Table:
     def position(self, departure: float, time: float) -> Point:
         """Where a robot that left at `departure` is at `time`, clamped to its path. :raises NoAnswer: rows carry no legs"""
         out = _abi.tdsp_point()
-        check(lib.tdsp_table_position(self._pointer, departure, time, ctypes.byref(out)), f"departure {departure!r}, time {time!r}")
+        check(lib.tdsp_table_position(self._pointer, departure, time, ctypes.byref(out)), f"departure {departure}, time {time}")
         return point_from(out)
 
     def positions(self, departure: float, times: npt.ArrayLike) -> Floats:
@@ -302,7 +302,7 @@ class Table:
         status = find(self._pointer, departure, ctypes.byref(out))
         if status == Status.NO_ANSWER:
             return None
-        check(status, f"departure {departure!r}")
+        check(status, f"departure {departure}")
         return TableJump(int(out.row), out.departure, out.before, out.after, gap_from(out.gap))
 
     def jumps(self) -> Iterator[TableJump]:

@@ -38,10 +38,10 @@ class Questions:
             raise InvalidArgument("questions: departures, arrivals or tables must be asked for")
         for time in self.departures:
             if not (math.isfinite(time) and time >= 0):
-                raise InvalidArgument(f"departures: {time!r} is not finite, or negative")
+                raise InvalidArgument(f"departures: {time} is not finite, or negative")
         for time in self.arrivals:
             if not time >= 0:
-                raise InvalidArgument(f"arrivals: {time!r} is not a number, or negative")
+                raise InvalidArgument(f"arrivals: {time} is not a number, or negative")
         check_options(self.options)
 
     def to_dict(self) -> dict[str, Any]:

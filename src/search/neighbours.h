@@ -18,7 +18,7 @@
 /* A rider needs no more rings once there are so many discs in them. */
 #define NEIGHBOURS_MOST 48u
 
-/* Unused places at a block's end are out of everyone's reach. */
+/* Unused places at a block's end hold INDEX_NONE and are out of reach, but of radii that no float holds. */
 typedef struct neighbour_block {
     float distance[NEIGHBOUR_BLOCK]; /* of the centres */
     float bearing[NEIGHBOUR_BLOCK];  /* within GEOM_ANGLE_NEAR */

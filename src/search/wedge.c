@@ -110,7 +110,7 @@ int wedge_look_at_block(const look_wedge *self, const neighbour_block *block, in
     float miss[NEIGHBOUR_BLOCK];
     block_misses(block, (float)self->heading, (float)(self->half_angle + self->lean + 1e-5), (float)own, miss);
     for (int i = 0; i < NEIGHBOUR_BLOCK; ++i) {
-        if (miss[i] > 0.0f || (may_hide && block_hidden(self, block, i, own))) continue;
+        if (miss[i] > 0.0f || block->disc[i] == INDEX_NONE || (may_hide && block_hidden(self, block, i, own))) continue;
         int at = count++;
         for (; at > 0 && block->gap[seen[at - 1]] > block->gap[i]; --at) seen[at] = seen[at - 1];
         seen[at] = i;

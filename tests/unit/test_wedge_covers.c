@@ -87,11 +87,31 @@ static void limits_at_their_ends_are_none_or_shut_everything_out(void **state)
     chunk_world_free(&w);
 }
 
+/* Found by fuzzing: late in a scene that hardly grows a radius overflowed the floats of a block, and the unused places were taken for discs. */
+static void unused_places_of_a_block_are_seen_by_nobody(void **state)
+{
+    (void)state;
+    static const double sizes[] = {0.0, 1e20, 1e38, 1e200, INFINITY, NAN};
+    neighbour_block block;
+    int seen[NEIGHBOUR_BLOCK];
+    for (int i = 0; i < NEIGHBOUR_BLOCK; ++i) {
+        block.distance[i] = 1.0f;
+        block.bearing[i] = 0.0f;
+        block.gap[i] = 1e30f;
+        block.disc[i] = INDEX_NONE;
+    }
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; ++i) {
+        const look_wedge wedge = {.widest = sizes[i]};
+        assert_int_equal(wedge_look_at_block(&wedge, &block, seen), 0);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_ray_inside_a_cover_runs_into_its_disc_within_the_reach),
         cmocka_unit_test(no_limit_cuts_a_leg_that_is_in_time),
+        cmocka_unit_test(unused_places_of_a_block_are_seen_by_nobody),
         cmocka_unit_test(limits_at_their_ends_are_none_or_shut_everything_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

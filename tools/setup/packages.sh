@@ -56,6 +56,19 @@ has_afl() { has_command afl-fuzz && fuzz_program | AFL_CC=clang-19 AFL_LLVM_INST
 has_jsonschema() { python3 -c 'import jsonschema' >/dev/null 2>&1 || /usr/bin/python3 -c 'import jsonschema' >/dev/null 2>&1; }
 # Debian's packages of Python modules are for Debian's Python, whichever is the first in PATH.
 has_numpy() { python3 -c 'import numpy' >/dev/null 2>&1 || /usr/bin/python3 -c 'import numpy' >/dev/null 2>&1; }
+# Rust and Go may be there by name only: a proxy without a toolchain, a compiler without its library. Any C++ clang will do.
+has_rust() {
+    local dir status=0
+    has_command rustc || return 1
+    dir=$(mktemp -d)
+    echo 'fn main() {}' | rustc --edition 2021 - -o "$dir/a.out" >/dev/null 2>&1 || status=1
+    rm -rf "$dir"
+    return $status
+}
+has_go() { has_command gofmt && go version >/dev/null 2>&1; }
+has_jdk() { has_command java && javac -version >/dev/null 2>&1; }
+has_jna() { [ -e "${JNA_JAR:-/usr/share/java/jna.jar}" ]; }
+has_clangxx() { c_program | compiles clang++-19 c++ || c_program | compiles clang++ c++; }
 has_venv() { has_command python3 && python3 -c 'import ensurepip, venv' >/dev/null 2>&1; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
@@ -102,6 +115,14 @@ if [ "$tier" = languages ]; then
     need python3-numpy has_numpy
     need python3-venv has_venv
     need binutils has_command readelf
+    need diffutils has_command cmp
+    need clang has_clangxx
+    need rustc has_rust
+    need golang-go has_go
+    need default-jdk-headless has_jdk
+    need libjna-java has_jna
+    need nodejs has_command node
+    need npm has_command npm
 fi
 if [ "$tier" = packaging ]; then
     need python3 has_python

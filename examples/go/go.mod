@@ -1,0 +1,3 @@
+module tdsp.example
+
+go 1.19

@@ -88,8 +88,9 @@ public:
     }
 
     /** Over bytes that somebody owns: not copied, and kept until the last copy of the table is gone. A keeper that owns nothing is a view. */
-    Table(std::shared_ptr<const void> bytes, std::size_t length, const std::string &name = "table") : bytes_(std::move(bytes)), length_(length)
+    Table(std::shared_ptr<const void> bytes, std::size_t length, const std::string &name = "table") : bytes_(std::move(bytes)), length_(bytes_ ? length : 0)
     {
+        // No bytes are no table, which is not the mistake that NULL is.
         const tdsp_status status = tdsp_table_open(&table_, bytes_ ? bytes_.get() : "", length_);
         if (status != TDSP_OK) throw error(name, status);
     }

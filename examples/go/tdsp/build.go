@@ -130,12 +130,18 @@ type seat struct {
 
 // guard calls into Go so that nothing but a status comes out: a panic must not unwind C's frames.
 func (s *seat) guard(call func() error) (status C.int) {
+	returned := false
 	defer func() {
-		if s.panicked = recover(); s.panicked != nil {
-			status = C.TDSP_FAILED
+		if returned {
+			return
 		}
+		if s.panicked = recover(); s.panicked == nil {
+			s.panicked = "tdsp: an oracle panicked with nil"
+		}
+		status = C.TDSP_FAILED
 	}()
 	err := call()
+	returned = true
 	if err == nil {
 		return C.TDSP_OK
 	}

@@ -91,6 +91,7 @@ pub struct Jump {
 }
 
 /// A status of the library other than "ok": why there is no answer, or what is wrong.
+#[repr(transparent)]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Status(pub ffi::Status);
 

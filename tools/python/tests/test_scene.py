@@ -95,7 +95,9 @@ class SceneTest(unittest.TestCase):
                 ({"discs": [{**disc, "growth": None}]}, "discs[0].growth: must be an array"), ({"discs": [{**disc, "growth": -1}]}, "f.json: discs[0]: "),
                 ({"discs": [{**disc, "growth": {"times": [0]}}]}, "discs[0].growth.rates: missing"),
                 ({"discs": [{**disc, "growth": [1, "x"]}]}, "discs[0].growth[1]: must be a number"), ({"name": 5}, "name: must be a string, not a number"),
-                ({"units": {"length": 1}}, "units.length: must be a string, not a number")]:
+                ({"units": {"length": 1}}, "units.length: must be a string, not a number"), ({"georeference": {}}, "georeference.origin: missing"),
+                ({"georeference": {"origin": [0, 91]}}, "georeference.origin: must be a longitude"),
+                ({"georeference": {"origin": [0, 0], "ellipsoid": "Airy"}}, 'georeference.ellipsoid: must be "WGS84"')]:
             with self.subTest(message), self.assertRaises(tdsp.BadScene) as caught:
                 tdsp.Scene.from_dict({**whole, **change}, "f.json")
             self.assertIn(message, str(caught.exception))
@@ -107,6 +109,12 @@ class SceneTest(unittest.TestCase):
             with self.subTest(text[:20]), self.assertRaises(tdsp.BadScene) as caught:
                 tdsp.Scene.loads(text, "f.json")
             self.assertTrue(str(caught.exception).startswith("f.json: ") and message in str(caught.exception), caught.exception)
+
+    def test_where_the_plane_lies_on_the_earth_is_kept(self) -> None:
+        earth = {"origin": [-119.5, 44.25], "projection": "azimuthal equidistant", "ellipsoid": "WGS84"}
+        scene = tdsp.Scene.from_dict({"robot": {"speed": 1}, "source": [0, 0], "destination": [1, 1], "discs": [], "georeference": earth})
+        self.assertEqual(scene.origin, (-119.5, 44.25))
+        self.assertEqual(scene.to_dict()["georeference"], earth)
 
     def test_an_unknown_key_is_warned_of(self) -> None:
         with warnings.catch_warnings(record=True) as caught:

@@ -6,12 +6,13 @@ import json
 import math
 import warnings
 from dataclasses import dataclass, field
-from typing import Any, Mapping, NoReturn
+from typing import Any, Mapping, NoReturn, Optional
 
 from .errors import BadScene
 from .growth import Growth, growth_from, growth_to_json
 
-KNOWN = {"": {"name", "units", "robot", "source", "destination", "discs"}, "units": {"length", "time"}, "robot": {"speed", "radius"},
+EARTH = {"projection": "azimuthal equidistant", "ellipsoid": "WGS84"}  # the only ones there are
+KNOWN = {"": {"name", "units", "robot", "source", "destination", "discs", "georeference"}, "georeference": {"origin", *EARTH}, "units": {"length", "time"}, "robot": {"speed", "radius"},
          "discs[]": {"center", "radius", "growth"}}
 
 
@@ -29,6 +30,7 @@ class SceneData:
     name: str = ""
     length_unit: str = ""
     time_unit: str = ""
+    origin: Optional[tuple[float, float]] = None
 
 
 class Reader:
@@ -113,7 +115,7 @@ class Reader:
             self.fail("robot.speed", "must be greater than zero")
         data = SceneData(speed, self.number(robot.get("radius", 0.0), "robot.radius", 0.0), self.point(self.member(root, "", "source"), "source"),
                          self.point(self.member(root, "", "destination"), "destination"), name=self.text(root, "", "name"),
-                         length_unit=self.text(units, "units", "length"), time_unit=self.text(units, "units", "time"))
+                         length_unit=self.text(units, "units", "length"), time_unit=self.text(units, "units", "time"), origin=self.origin(root))
         discs = self.member(root, "", "discs")
         if not isinstance(discs, (list, tuple)):
             self.fail("discs", f"must be an array, not {type_name(discs)}")
@@ -121,6 +123,18 @@ class Reader:
             self.disc(disc, f"discs[{i}]", data)
         self.warn()
         return data
+
+    def origin(self, root: Mapping[str, Any]) -> Optional[tuple[float, float]]:
+        if "georeference" not in root:
+            return None
+        earth = self.object(root["georeference"], "georeference", "georeference")
+        lon, lat = self.point(self.member(earth, "georeference", "origin"), "georeference.origin")
+        if not (-180 <= lon <= 180 and -90 <= lat <= 90):
+            self.fail("georeference.origin", "must be a longitude from -180 to 180 and a latitude from -90 to 90 degrees")
+        for name, only in EARTH.items():
+            if earth.get(name, only) != only:
+                self.fail(f"georeference.{name}", f'must be "{only}"')
+        return lon, lat
 
     def disc(self, value: Any, place: str, data: SceneData) -> None:
         disc = self.object(value, place, "discs[]")
@@ -160,6 +174,8 @@ def to_dict(data: SceneData) -> dict[str, Any]:
         root["name"] = data.name
     if data.length_unit or data.time_unit:
         root["units"] = {"length": data.length_unit, "time": data.time_unit}
+    if data.origin is not None:
+        root["georeference"] = {"origin": list(data.origin), **EARTH}
     root["robot"] = {"speed": data.speed, **({"radius": data.robot_radius} if data.robot_radius else {})}
     root["source"], root["destination"] = list(data.source), list(data.destination)
     root["discs"] = [{"center": list(center), "radius": radius, "growth": growth_to_json(growth, f"discs[{i}].growth")}

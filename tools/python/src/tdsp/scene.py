@@ -56,6 +56,7 @@ class Scene:
     :param name: for people
     :param length_unit: for people, at most 15 bytes in tables
     :param time_unit: likewise
+    :param origin: where the plane's (0, 0) lies on the earth, longitude and latitude in degrees: kept for `tdsp convert`, and changes no answer
     :raises BadScene: a number is out of its range; the message says which
 
     >>> scene = Scene(1.0, (-10, 0), (10, 0), [[0, 3], [0, -3]], radii=1.0, growth=0.1)
@@ -67,12 +68,12 @@ class Scene:
 
     def __init__(self, speed: float, source: PointLike, destination: PointLike, centers: npt.ArrayLike = (), radii: npt.ArrayLike = 0.0,
                  growth: Union[GrowthLike, npt.ArrayLike, Sequence[GrowthLike]] = 0.0, *, robot_radius: float = 0.0, name: str = "",
-                 length_unit: str = "", time_unit: str = "") -> None:
+                 length_unit: str = "", time_unit: str = "", origin: Optional[tuple[float, float]] = None) -> None:
         places = points(centers, "centers")
         sizes = np.broadcast_to(_per_disc(radii, len(places), "radii"), len(places))
         growths = _growths(growth, len(places))
         journey = _abi.tdsp_journey(float(speed), float(robot_radius), point(source, "source"), point(destination, "destination"))
-        self.name, self.length_unit, self.time_unit = name, length_unit, time_unit
+        self.name, self.length_unit, self.time_unit, self.origin = name, length_unit, time_unit, origin
         self._laws: Optional[list[Growth]] = None if isinstance(growths, np.ndarray) else growths
         self._handle = _create(journey, places, sizes, growths)
 
@@ -83,7 +84,7 @@ class Scene:
             growths = np.array(growths, dtype=np.float64)
         try:
             return cls(data.speed, data.source, data.destination, data.centers, data.radii, growths, robot_radius=data.robot_radius, name=data.name,
-                       length_unit=data.length_unit, time_unit=data.time_unit)
+                       length_unit=data.length_unit, time_unit=data.time_unit, origin=data.origin)
         except BadScene as error:
             raise BadScene(f"{file}: {error}") from None
 
@@ -117,7 +118,7 @@ class Scene:
     def _data(self) -> _scene_json.SceneData:
         discs = self.discs
         return _scene_json.SceneData(self.speed, self.robot_radius, self.source, self.destination, [(float(x), float(y)) for x, y in discs["center"]],
-                                     [float(r) for r in discs["radius"]], self.growths, self.name, self.length_unit, self.time_unit)
+                                     [float(r) for r in discs["radius"]], self.growths, self.name, self.length_unit, self.time_unit, self.origin)
 
     def to_dict(self) -> dict[str, Any]:
         """What a scene file has. :raises NotSupported: a disc grows by a Law"""

@@ -123,6 +123,7 @@ if [ "$tier" = languages ]; then
     need libjna-java has_jna
     need nodejs has_command node
     need npm has_command npm
+    need ca-certificates test -e /etc/ssl/certs/ca-certificates.crt
 fi
 if [ "$tier" = packaging ]; then
     need python3 has_python

@@ -20,6 +20,9 @@
 /* A panel narrower than this share of its place in time, or of a time unit, has no angle worth halving for. */
 #define LEAST_PANEL 1e-13
 
+/* So few panels are added up one by one: of long sums only the difference would be left, with the rounding of both. */
+#define NEAR_PANELS 8
+
 /* The last terms of a panel's series may be as large as this share of one radian and of the panel's angle, and of a length at its radius: just over their rounding. */
 #define SERIES_ERROR 4e-16
 
@@ -261,11 +264,19 @@ static double panel_turned(const shape_panel *panel, double time)
     return x * b - after + panel->c[0];
 }
 
-/* Panels over a span, from its start on; `from` and the parts still to come are halved as needed. */
+/*
+ * Panels over a span, from its start on; the parts still to come are halved as needed. None is longer than the time before it, so that its error, a share of what it turns, is no more than
+ * the rounding of its times makes of any ride in it.
+ */
+static double panel_end(const shape_span *span, double from, double width)
+{
+    return fmin(span->to, from + fmin(width, fmax(1.0, from)));
+}
+
 static tdsp_status span_measure(growth_shape *shape, const tdsp_allocator *allocator, uint32_t k)
 {
     shape_span *span = &shape->spans[k];
-    double from = span->from, to = span->to;
+    double from = span->from, to = panel_end(span, from, INFINITY);
     span->first_panel = shape->panel_count;
     while (from < span->to) {
         shape_panel panel = {from, to, 0.0, {0}};
@@ -278,7 +289,7 @@ static tdsp_status span_measure(growth_shape *shape, const tdsp_allocator *alloc
         if (status != TDSP_OK) return status;
         shape->panels[shape->panel_count++] = panel;
         from = to;
-        to = fmin(span->to, from + 4.0 * width);
+        to = panel_end(span, from, 4.0 * width);
     }
     span->panel_count = shape->panel_count - span->first_panel;
     double turned = 0.0;
@@ -319,7 +330,9 @@ static double span_turned(const growth_shape *shape, uint32_t k, double from, do
     if (span->panel_count == 0) return linear_turned(shape, span, from, to);
     const shape_panel *first = panel_at(shape, span, from), *last = panel_at(shape, span, to);
     double turned = panel_turned(last, to) - panel_turned(first, from);
-    return first == last ? turned : turned + (first->turned - last->turned);
+    if (last - first > NEAR_PANELS) return turned + (first->turned - last->turned);
+    for (const shape_panel *panel = first; panel < last; ++panel) turned += panel_turned(panel, panel->to);
+    return turned;
 }
 
 double shape_turned(const growth_shape *shape, uint32_t from_span, double from, uint32_t to_span, double to)

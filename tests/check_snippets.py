@@ -6,8 +6,9 @@
 
 In a ```console block each line "$ COMMAND" is run by bash with BUILD in PATH, and the lines after it are what it
 prints, apart from the width of columns; "..." stands for any text. In a ```sh block `make TARGET` must be
-a target with a line of help and everything else is run and must succeed. A ```c block that has a main() is compiled with warnings as
-errors against the library, and run. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
+a target with a line of help and everything else is run and must succeed. A ```c block is compiled with warnings as errors: with a main() against
+the library, and run; else as a file of its own. A block of any kind below a line <!-- FILE --> is a quotation: its lines stand in that file of the
+checkout, one below the other, indented alike, and nothing else is done with it. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
 it happens in a directory of its own per page, in which build/, examples/, docs/ and include/ are those of the checkout.
 """
 import os
@@ -16,15 +17,22 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BLOCK = re.compile(r"^```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
+BLOCK = re.compile(r"^(?:<!-- (\S+) -->\n)?```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
 ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
 
 
 def squeeze(text):
     """The text with every run of spaces as one, so that columns may be as wide as the numbers shown."""
     return re.sub(r" *\n *", "\n", re.sub(r"[ \t]+", " ", text)).strip()
+
+
+def stands(quotation, text):
+    """Do the quotation's lines stand in the text, one below the other, indented alike?"""
+    lines, wanted = text.splitlines(), textwrap.dedent(quotation).splitlines()
+    return any(textwrap.dedent("\n".join(lines[i:i + len(wanted)])).splitlines() == wanted for i in range(len(lines)))
 
 
 class Page:
@@ -71,18 +79,24 @@ class Page:
         helped = [target for file in files for target in re.findall(r"^([a-z-]+):.*## ", file.read_text(), re.M)]
         return None if name in helped else f"make has no target {name} with a line of help"
 
-    def program(self, text):
-        if "main(" not in text:
-            return
-        source = self.scratch / "snippet.c"
-        source.write_text(text)
-        status, printed = self.run(f"gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I{ROOT}/include snippet.c "
-                                   f"{self.build}/libtdsp.a -lm -o snippet && ./snippet")
-        self.report(f"program that begins {text.splitlines()[0]}", f"exit status {status}\n{printed}" if status else None)
+    def code(self, text):
+        program = "main(" in text
+        (self.scratch / "snippet.c").write_text(text)
+        rest = f"{self.build}/libtdsp.a -lm -o snippet && ./snippet" if program else "-c -o snippet.o"
+        status, printed = self.run(f"gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I{ROOT}/include snippet.c {rest}")
+        self.report(f"{'program' if program else 'code'} that begins {text.splitlines()[0]}", f"exit status {status}\n{printed}" if status else None)
+
+    def quotation(self, source, text):
+        file = ROOT / source
+        fine = file.is_file() and stands(text, file.read_text(encoding="utf-8"))
+        self.report(f"quotation from {source} that begins {text.split(chr(10), 1)[0].strip()}", None if fine else f"{source} has no such lines:\n{text}")
 
     def check(self):
-        kinds = {"console": self.console, "sh": self.shell, "c": self.program}
-        for kind, file, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
+        kinds = {"console": self.console, "sh": self.shell, "c": self.code}
+        for source, kind, file, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
+            if source:
+                self.quotation(source, text)
+                continue
             if file:
                 (self.scratch / file).write_text(text, encoding="utf-8")
             kinds.get(kind, lambda _: None)(text)

@@ -23,8 +23,8 @@ extern "C" {
 typedef struct tdsp_build_world {
     uint64_t scene_hash;     /* tdsp_scene_hash(), or any number that identifies the world */
     double speed;            /* the robot's top speed; 0 where that means nothing */
-    tdsp_point source;
-    tdsp_point destination;
+    tdsp_point source;       /* where journeys begin */
+    tdsp_point destination;  /* where they end */
     const char *length_unit; /* at most 15 bytes of UTF-8; NULL is "" */
     const char *time_unit;   /* at most 15 bytes of UTF-8; NULL is "" */
 } tdsp_build_world;
@@ -43,21 +43,22 @@ typedef int (*tdsp_progress)(void *ctx, double settled, double all);
 typedef void (*tdsp_task)(void *task_ctx, size_t i, size_t worker);
 typedef void (*tdsp_run_tasks)(void *ctx, tdsp_task task, void *task_ctx, size_t count);
 
+/** What to build, and how. Initialise with tdsp_build_options_init(), then set members. */
 typedef struct tdsp_build_options {
     size_t size; /* sizeof(tdsp_build_options), set by tdsp_build_options_init() */
-    tdsp_guarantee guarantee;
-    tdsp_sampling sampling;
+    tdsp_guarantee guarantee; /* what every answer is held to */
+    tdsp_sampling sampling;   /* how rows are placed */
     double epsilon;         /* travel and arrival: 1e-9 to 1 */
     double delta;           /* absolute: over 0, in the unit of time */
     double horizon;         /* departures are sampled up to this; infinity for none */
     uint32_t max_rows;      /* 1 to TDSP_MAX_ROWS */
     tdsp_build_world world; /* copied into the table's header */
     tdsp_progress progress; /* may be NULL */
-    void *progress_ctx;
+    void *progress_ctx;     /* handed to progress */
     tdsp_run_tasks run_tasks;   /* the caller's threads; NULL: everything in this one */
-    void *run_tasks_ctx;
+    void *run_tasks_ctx;        /* handed to run_tasks */
     const tdsp_oracle *workers; /* one oracle a worker, equal in what they declare and answer; NULL: only the oracle given */
-    size_t worker_count;
+    size_t worker_count;        /* how many workers; not looked at without run_tasks */
     double oracle_share; /* adaptive sampling of the guarantees travel and absolute, with an oracle that has earliest_arrival_within:
                             how much of the guarantee that may take up, 0 to 0.9; 0: exact answers only */
 } tdsp_build_options;
@@ -110,21 +111,22 @@ typedef tdsp_status (*tdsp_pair_oracle)(void *ctx, size_t i, size_t j, size_t wo
 /** The pairs of a matrix. Initialise with zeros. */
 typedef struct tdsp_matrix_plan {
     const tdsp_matrix_end *sources; /* each with a finite place, and a name in UTF-8 or none; at least one */
-    size_t source_count;
+    size_t source_count;           /* at least 1 */
     const tdsp_matrix_end *destinations; /* likewise */
-    size_t destination_count;
-    tdsp_pair_oracle oracle_for;
-    void *ctx;
+    size_t destination_count;            /* at least 1 */
+    tdsp_pair_oracle oracle_for; /* makes the oracle of a pair */
+    void *ctx;                   /* handed to it */
 } tdsp_matrix_plan;
 
+/** What was built of a matrix, and what it cost; or where it failed. */
 typedef struct tdsp_matrix_report {
     uint64_t tables; /* pairs with a way */
     uint64_t rows;   /* of all tables */
     uint64_t bytes;  /* of the matrix */
-    uint64_t forward_calls;
-    uint64_t reverse_calls;
+    uint64_t forward_calls; /* as in tdsp_build_report, of all pairs */
+    uint64_t reverse_calls; /* likewise */
     size_t source;      /* on an error of a pair: which; else the numbers of sources and destinations */
-    size_t destination;
+    size_t destination; /* likewise */
 } tdsp_matrix_report;
 
 /**

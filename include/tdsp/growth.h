@@ -42,7 +42,7 @@ typedef void (*tdsp_growth_law)(void *ctx, double time, double *radius, double *
 
 /** One disc's growth. Initialise with zeros; members that a kind does not name are not looked at. No number is beyond 1e100. */
 typedef struct tdsp_growth {
-    tdsp_growth_kind kind;
+    tdsp_growth_kind kind; /* which of the members count */
     double rate;          /* RATE: not negative */
     size_t count;         /* POLYNOMIAL: coefficients, 1 to TDSP_GROWTH_DEGREE; RATES: rates, 1 to 2^31 - 1; LAW: kinks, 0 or more */
     const double *values; /* POLYNOMIAL: the coefficients, of any sign; RATES: the rates, not negative */
@@ -56,7 +56,7 @@ typedef struct tdsp_growth {
 typedef struct tdsp_growing_disc {
     tdsp_point center; /* length */
     double radius;     /* length, at t = 0, not negative; the robot's radius is not included. LAW: the law's at 0, to 1e-13 of it */
-    tdsp_growth growth;
+    tdsp_growth growth; /* how it grows from then on */
 } tdsp_growing_disc;
 
 /**

@@ -34,7 +34,7 @@ TDSP_API const char *tdsp_limit_name(tdsp_limit limit);
 
 /** A limit and where it shows. */
 typedef struct tdsp_witness {
-    tdsp_limit limit;
+    tdsp_limit limit; /* what it is */
     uint32_t disc;  /* the disc that covers or touches, or the first of the gap; TDSP_NO_DISC without one */
     uint32_t other; /* the second disc of the gap, else TDSP_NO_DISC */
     double time;    /* when: of the cover, of the touch, of passing the gap; the deadline; infinite for TDSP_LIMIT_NONE */

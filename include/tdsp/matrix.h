@@ -45,7 +45,7 @@ TDSP_API tdsp_status tdsp_matrix_size(const tdsp_matrix *matrix, uint64_t *sourc
 
 /** An end of the pairs. */
 typedef struct tdsp_matrix_end {
-    tdsp_point place;
+    tdsp_point place; /* finite */
     const char *name; /* UTF-8 in the matrix's bytes, without a zero byte behind it */
     size_t name_length; /* 0: no name */
 } tdsp_matrix_end;

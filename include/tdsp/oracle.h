@@ -16,7 +16,7 @@ extern "C" {
 /** A path handed out by an oracle: legs, or bytes that only the oracle understands, or neither. */
 typedef struct tdsp_oracle_path {
     const tdsp_leg *legs; /* owned by the oracle, valid until its next call */
-    size_t leg_count;
+    size_t leg_count;     /* 0: no legs */
     const void *bytes; /* owned by the oracle, valid until its next call */
     size_t byte_count; /* at most 2^31 - 1 */
 } tdsp_oracle_path;
@@ -28,7 +28,7 @@ typedef struct tdsp_oracle_path {
 typedef struct tdsp_oracle {
     size_t size; /* sizeof(tdsp_oracle), set by tdsp_oracle_init() */
     void *ctx;   /* handed to each callback */
-    tdsp_monotone monotone;
+    tdsp_monotone monotone; /* what it promises of A */
     double error; /* stated error, 0 to 0.1: |returned A(t) - true A(t)| <= error * (T(t) + time_scale); default 0. Eight half units
                      of rounding of A are allowed for besides. An arrival equal to its departure is taken as exact. Where A jumps, the side
                      may be mistaken for departures as near to the jump as ten times this (with A(t) for T(t)): by earliest_arrival, by

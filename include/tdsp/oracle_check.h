@@ -41,7 +41,7 @@ typedef enum tdsp_oracle_rule {
     TDSP_RULE_SLOW = 20           /* no call takes longer than the limit */
 } tdsp_oracle_rule;
 
-#define TDSP_ORACLE_RULES 21
+#define TDSP_ORACLE_RULES 21 /* how many rules there are, and numbers of rules end below it */
 
 /** Which member of tdsp_oracle. */
 typedef enum tdsp_oracle_callback {
@@ -56,8 +56,8 @@ typedef enum tdsp_oracle_callback {
 
 /** A rule seen broken. NaN stands for a number that means nothing there. docs/oracles.md has the meaning of each for each rule. */
 typedef struct tdsp_oracle_finding {
-    tdsp_oracle_rule rule;
-    tdsp_oracle_callback callback;
+    tdsp_oracle_rule rule;         /* which is broken */
+    tdsp_oracle_callback callback; /* by which member */
     tdsp_status status; /* what the callback returned */
     double asked;       /* the departure asked about; of the two reverse callbacks the arrival */
     double answered;    /* of the two reverse callbacks the departure answered */
@@ -66,7 +66,7 @@ typedef struct tdsp_oracle_finding {
     double expected;    /* what it is compared with: a bound, or the answer before; infinite where no way was expected */
 } tdsp_oracle_finding;
 
-#define TDSP_ORACLE_FINDINGS 64
+#define TDSP_ORACLE_FINDINGS 64 /* room for findings */
 #define TDSP_ORACLE_EXAMPLES 3 /* findings kept of each rule */
 
 /** What came out. */
@@ -82,6 +82,7 @@ typedef struct tdsp_oracle_findings {
     int complete;                       /* 0 when options.calls ended it */
 } tdsp_oracle_findings;
 
+/** How much to look at. Initialise with tdsp_oracle_check_options_init(), then set members. */
 typedef struct tdsp_oracle_check_options {
     size_t size;         /* sizeof(tdsp_oracle_check_options), set by tdsp_oracle_check_options_init() */
     double horizon;      /* departures are looked at up to this; infinity: to the last one, or, where nothing seems to end them, to 1024 times the
@@ -90,7 +91,7 @@ typedef struct tdsp_oracle_check_options {
     uint64_t calls;      /* at most so many callbacks are called */
     uint64_t seed;       /* of the choice of departures */
     double (*clock)(void *ctx); /* seconds since whenever; NULL: calls are not timed */
-    void *clock_ctx;
+    void *clock_ctx;     /* handed to clock */
     double seconds;      /* how long a call may take; infinity for any */
 } tdsp_oracle_check_options;
 

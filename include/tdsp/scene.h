@@ -15,6 +15,7 @@
 extern "C" {
 #endif
 
+/** A prepared scene. It never changes: any number of threads may use it. */
 typedef struct tdsp_scene tdsp_scene;
 
 /** The robot and the ends of its journey. */
@@ -27,8 +28,8 @@ typedef struct tdsp_journey {
 
 /** A source and a destination among the discs of a scene. */
 typedef struct tdsp_ends {
-    tdsp_point source;
-    tdsp_point destination;
+    tdsp_point source;      /* where the journey begins */
+    tdsp_point destination; /* where it ends */
 } tdsp_ends;
 
 /**

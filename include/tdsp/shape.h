@@ -25,7 +25,7 @@ typedef struct tdsp_shape_options {
     double least;      /* jumps: those of at most this size are left out, a time; 0: a 256th of the rise of T over all; default 0 */
     double resolution; /* envelope: a time; 0: a 1024th of the departures looked at; default 0 */
     tdsp_progress progress; /* may be NULL; told the departure up to which all is known, and the last */
-    void *progress_ctx;
+    void *progress_ctx; /* handed to progress */
 } tdsp_shape_options;
 
 /** All members to their defaults. Since 0.1. */
@@ -71,7 +71,7 @@ TDSP_API void tdsp_jumps_free(tdsp_jumps *jumps);
 
 /** A ride of a path's combinatorial form. */
 typedef struct tdsp_ride {
-    uint32_t disc;
+    uint32_t disc; /* that is ridden */
     int32_t turn; /* +1 counter-clockwise, -1 clockwise */
 } tdsp_ride;
 
@@ -90,7 +90,7 @@ typedef struct tdsp_piece {
     double travel_from; /* T(from+); T(from) for the first piece */
     double travel_until; /* T(until) */
     const tdsp_ride *rides; /* in order; lives as long as the envelope. NULL where there is none: a straight line */
-    size_t ride_count;
+    size_t ride_count;     /* how many */
     size_t form;           /* pieces of the same form have the same number; numbered from 0 in order of appearance */
     tdsp_change change;    /* how it ends */
     tdsp_gap gap;          /* a jump's: as in tdsp_arrival_jump */

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/** What every function that can fail returns: success, an answer without a number, or an error. Values are never used again. */
 typedef enum tdsp_status {
     TDSP_OK = 0,
 

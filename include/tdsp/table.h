@@ -78,29 +78,30 @@ TDSP_API tdsp_status tdsp_table_open(tdsp_table *table, const void *bytes, size_
  */
 TDSP_API tdsp_status tdsp_table_reopen(tdsp_table *table, const void *bytes, size_t length);
 
+/** What the header of a table says. */
 typedef struct tdsp_table_info {
-    uint16_t version_major;
-    uint16_t version_minor;
+    uint16_t version_major; /* of the format */
+    uint16_t version_minor; /* likewise */
     uint32_t monotone;  /* tdsp_monotone */
     uint32_t guarantee; /* tdsp_guarantee */
     uint32_t sampling;  /* tdsp_sampling */
-    uint64_t rows;
-    uint64_t legs;
-    uint64_t length; /* bytes */
-    uint64_t scene_hash;
+    uint64_t rows;       /* departures in the table */
+    uint64_t legs;       /* of all rows' paths */
+    uint64_t length;     /* bytes */
+    uint64_t scene_hash; /* of the world that it was built for */
     double epsilon; /* the bound of travel and arrival; 0 for absolute */
     double delta;   /* the bound of absolute; 0 for the others */
     double error;   /* the oracle's stated error: of A(t), error * (T(t) + time_scale) */
-    double time_scale;
-    double speed;
-    tdsp_point source;
-    tdsp_point destination;
+    double time_scale;      /* the oracle's */
+    double speed;           /* the robot's top speed; 0 where that means nothing */
+    tdsp_point source;      /* where journeys begin */
+    tdsp_point destination; /* where they end */
     double first_lower;      /* T(0), rounded down */
     double first_departure;  /* 0 */
     double last_departure;   /* b_(n-1) */
     tdsp_status last_reason; /* why there is no answer after it */
     char length_unit[16];    /* ends with a zero byte */
-    char time_unit[16];
+    char time_unit[16];      /* likewise */
     uint64_t guide_length; /* bytes of the guides that speed up look-ups; 0: none */
     uint64_t curves;       /* stored for legs of the kind TDSP_LEG_CURVE */
     uint64_t gaps;         /* jumps of which the table says what closes (tdsp_jump) */
@@ -109,6 +110,7 @@ typedef struct tdsp_table_info {
 /** What the header says. TDSP_OK or TDSP_INVALID_ARGUMENT. O(1). Since 0.1. */
 TDSP_API tdsp_status tdsp_table_get_info(const tdsp_table *table, tdsp_table_info *out);
 
+/** A row of a table. */
 typedef struct tdsp_row {
     double departure; /* b_i */
     double left;      /* T(b_i), rounded up: the row's path takes no longer */
@@ -190,7 +192,7 @@ TDSP_API tdsp_status tdsp_table_position(const tdsp_table *table, double departu
  * departure, where a steep T has risen a little.
  */
 typedef struct tdsp_jump {
-    uint64_t row;
+    uint64_t row;     /* whose departure it is */
     double departure; /* the last departure before the jump */
     double before;    /* T(departure), rounded up */
     double after;     /* T(departure+), rounded down */

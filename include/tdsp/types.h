@@ -17,6 +17,7 @@
 extern "C" {
 #endif
 
+/** A place in the plane. */
 typedef struct tdsp_point {
     double x; /* length */
     double y; /* length */
@@ -106,8 +107,8 @@ typedef enum tdsp_sampling {
  * Wherever a `const tdsp_allocator *` is asked for, NULL means the C library's realloc and free.
  */
 typedef struct tdsp_allocator {
-    void *ctx;
-    void *(*resize)(void *ctx, void *block, size_t old_size, size_t new_size);
+    void *ctx; /* handed to resize */
+    void *(*resize)(void *ctx, void *block, size_t old_size, size_t new_size); /* allocates, resizes and frees */
 } tdsp_allocator;
 
 /** The version of the linked library, "MAJOR.MINOR.PATCH". Static storage; any thread. Since 0.1. */

@@ -34,8 +34,9 @@ extern "C" {
  * as long as it would be at its greatest speed.
  */
 #define TDSP_VERIFY_TOLERANCE 1e-9
-#define TDSP_VERIFY_ROUNDING 1e-13
+#define TDSP_VERIFY_ROUNDING 1e-13 /* the share of the magnitude M in the tolerance: TDSP_VERIFY_TOLERANCE */
 
+/** What a check of a path found. */
 typedef struct tdsp_verdict {
     uint32_t problems;    /* 0: the path is good */
     double min_clearance; /* a lower bound on the clearance to the inflated discs over the whole motion: below the least one by at most a
@@ -67,7 +68,7 @@ TDSP_API tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_en
 
 /** What may be wrong with a table besides its bytes. */
 typedef struct tdsp_table_verdict {
-    int ok;
+    int ok;                  /* 1: nothing of what follows is wrong; else 0 */
     int stale;               /* built for another scene */
     uint64_t bad_order;      /* rows whose departures or travel times are out of order */
     uint64_t bad_ratio;      /* rows that break the guarantee */

@@ -6,13 +6,14 @@
 #   packages.sh check    both, and what the tests need
 #   packages.sh languages  what the library, its Python package and the wrappers in other languages need
 #   packages.sh packaging  what packing and installing releases and Debian packages needs, and other shells to complete words in
+#   packages.sh docs     what writing the documentation site needs
 #   packages.sh trust    all that of check, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | bench | check | languages | packaging | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|packaging|trust" >&2; exit 2 ;; esac
+case $tier in demo | bench | check | languages | packaging | docs | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|packaging|docs|trust" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -72,14 +73,16 @@ has_clangxx() { c_program | compiles clang++-19 c++ || c_program | compiles clan
 has_venv() { has_command python3 && python3 -c 'import ensurepip, venv' >/dev/null 2>&1; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
-need gcc has_gcc
-need libc6-dev has_gcc
-need make has_command make
-need pkg-config has_command pkg-config
-need libglib2.0-dev has_library gio-2.0
-need libjson-glib-dev has_library json-glib-1.0
-need libcairo2-dev has_library cairo
-if [ "$tier" != demo ] && [ "$tier" != languages ]; then
+if [ "$tier" != docs ]; then
+    need gcc has_gcc
+    need libc6-dev has_gcc
+    need make has_command make
+    need pkg-config has_command pkg-config
+    need libglib2.0-dev has_library gio-2.0
+    need libjson-glib-dev has_library json-glib-1.0
+    need libcairo2-dev has_library cairo
+fi
+if [ "$tier" != demo ] && [ "$tier" != languages ] && [ "$tier" != docs ]; then
     need g++ has_gxx
     need python3 has_python
     need valgrind has_callgrind
@@ -108,6 +111,13 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
     need scdoc has_command scdoc
     need mandoc has_command mandoc
     need python3-jsonschema has_jsonschema
+fi
+if [ "$tier" = check ] || [ "$tier" = docs ] || [ "$tier" = trust ]; then
+    need doxygen has_command doxygen
+fi
+if [ "$tier" = docs ]; then
+    need python3 has_python
+    need make has_command make
 fi
 if [ "$tier" = languages ]; then
     need g++ has_gxx

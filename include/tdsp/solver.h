@@ -42,6 +42,8 @@ typedef enum tdsp_method {
 typedef struct tdsp_solver tdsp_solver;
 
 /**
+ * Make a solver that asks about the scene's own ends.
+ *
  * @param scene  must outlive the solver; its allocator is used
  * @param out    owned by the caller: tdsp_solver_free(); untouched on error
  * @return TDSP_OK, TDSP_INVALID_ARGUMENT, TDSP_NO_MEMORY. Memory: 13 bytes a disc, 4 more once all discs are searched, and what the questions

@@ -86,6 +86,7 @@ class Page:
         text = re.sub(r"[@\\]", r"\\\g<0>", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title))
         if not self.titled:
             self.titled = True
+            text = re.sub(r"^(\d+)\.", r"\1\.", text)  # a title, not the first item of a list
             return f"# {text} {{#{page_name(self.path)}}}\n\n@anchor {name}\n"
         return f"{level} {text} {{#{name}}}"
 
@@ -113,7 +114,9 @@ class Page:
 
 
 def code(text):
-    """Code in a line: between two backticks, in which a quotation mark ends nothing."""
+    """Code in a line: between two backticks, in which a quotation mark ends nothing; a bar in a table, which has to be escaped there, as HTML."""
+    if r"\|" in text:
+        return f"<code>{html.escape(text.strip(), quote=False)}</code>"
     return f"``{text.strip()}``"
 
 

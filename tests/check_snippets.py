@@ -8,7 +8,8 @@ In a ```console block each line "$ COMMAND" is run by bash with BUILD in PATH, a
 prints, apart from the width of columns; "..." stands for any text. In a ```sh block `make TARGET` must be
 a target with a line of help and everything else is run and must succeed. A ```c block is compiled with warnings as errors: with a main() against
 the library, and run; else as a file of its own. A block of any kind below a line <!-- FILE --> is a quotation: its lines stand in that file of the
-checkout, one below the other, indented alike, and nothing else is done with it. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
+checkout, one below the other, indented alike, and nothing else is done with it. A ```python block is run with the package of the checkout. What others run,
+RUN_BY names; ```text is no code; a block that nobody would run is an error. A block of any kind whose fence names a file (```json gate.json) becomes that file. All of
 it happens in a directory of its own per page, in which build/, examples/, docs/ and include/ are those of the checkout.
 """
 import os
@@ -21,6 +22,8 @@ import textwrap
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^(?:<!-- (\S+) -->\n)?```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
+# Kinds of blocks of a page that other checks run.
+RUN_BY = {("docs/python.md", "python"): "tools/python/tests", ("docs/packaging.md", "cmake"): "tests/install"}
 ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
 
 
@@ -33,6 +36,13 @@ def stands(quotation, text):
     """Do the quotation's lines stand in the text, one below the other, indented alike?"""
     lines, wanted = text.splitlines(), textwrap.dedent(quotation).splitlines()
     return any(textwrap.dedent("\n".join(lines[i:i + len(wanted)])).splitlines() == wanted for i in range(len(lines)))
+
+
+def python_with_numpy():
+    """The Python that has NumPy: Debian's belongs to Debian's Python, which need not be the first in PATH."""
+    candidates = (sys.executable, "/usr/bin/python3")
+    has = (p for p in candidates if subprocess.run([p, "-c", "import numpy"], stderr=subprocess.DEVNULL, check=False).returncode == 0)
+    return next(has, sys.executable)
 
 
 class Page:
@@ -86,20 +96,34 @@ class Page:
         status, printed = self.run(f"gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -I{ROOT}/include snippet.c {rest}")
         self.report(f"{'program' if program else 'code'} that begins {text.splitlines()[0]}", f"exit status {status}\n{printed}" if status else None)
 
+    def python(self, text):
+        (self.scratch / "snippet.py").write_text(text, encoding="utf-8")
+        status, printed = self.run(f"TDSP_LIBRARY={self.build}/libtdsp.so PYTHONPATH={ROOT}/tools/python/src {python_with_numpy()} snippet.py")
+        self.report(f"program that begins {text.splitlines()[0]}", f"exit status {status}\n{printed}" if status else None)
+
+    def other(self, kind, text, file):
+        """A block that is not run here."""
+        by = RUN_BY.get((str(self.path.relative_to(ROOT)), kind))
+        if by or not (file or kind == "text"):
+            self.report(f"{kind} that begins {text.splitlines()[0]}" + (f" is run by {by}" if by else ""), None if by else "nobody runs it")
+
     def quotation(self, source, text):
         file = ROOT / source
         fine = file.is_file() and stands(text, file.read_text(encoding="utf-8"))
         self.report(f"quotation from {source} that begins {text.split(chr(10), 1)[0].strip()}", None if fine else f"{source} has no such lines:\n{text}")
 
     def check(self):
-        kinds = {"console": self.console, "sh": self.shell, "c": self.code}
+        kinds = {"console": self.console, "sh": self.shell, "c": self.code, "python": self.python}
         for source, kind, file, text in BLOCK.findall(self.path.read_text(encoding="utf-8")):
             if source:
                 self.quotation(source, text)
                 continue
             if file:
                 (self.scratch / file).write_text(text, encoding="utf-8")
-            kinds.get(kind, lambda _: None)(text)
+            if kind in kinds and (str(self.path.relative_to(ROOT)), kind) not in RUN_BY:
+                kinds[kind](text)
+            else:
+                self.other(kind, text, file)
         return self.failed
 
 

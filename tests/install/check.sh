@@ -57,6 +57,15 @@ build_by_cmake() { cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="
 by_cmake_shared() { readelf -d "$work/cmake/shared" | grep -q "NEEDED.*\[libtdsp\.so\.[0-9]*\]" && "$work/cmake/shared"; }
 by_cmake_static() { ! readelf -d "$work/cmake/static" | grep -q libtdsp && "$work/cmake/static"; }
 by_cmake_query() { ! readelf -d "$work/cmake/query" | grep -q libtdsp && "$work/cmake/query"; }
+# The lines of docs/packaging.md, over the program of README.md.
+block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$2" | sed '1d;/^```$/,$d'; }
+build_as_the_page_says() {
+    mkdir -p "$work/page"
+    block c README.md >"$work/page/program.c"
+    { echo 'cmake_minimum_required(VERSION 3.13)'; echo 'project(page C)'; block cmake docs/packaging.md; } >"$work/page/CMakeLists.txt"
+    cmake -S "$work/page" -B "$work/page/build" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/page/build"
+}
+as_the_page_says() { [ "$("$work/page/build/program")" = "arrive at 20.0000, or leave by 9.8496" ]; }
 without_the_shared_library() {
     rm "$here"/lib/libtdsp.so* && cmake -S tests/install -B "$work/archives" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/archives" &&
         ! readelf -d "$work/archives/shared" | grep -q libtdsp && "$work/archives/shared"
@@ -78,6 +87,8 @@ step "a CMake project finds the package, its targets and its version" build_by_c
 step "its program with the shared library runs" by_cmake_shared
 step "its program with the archive runs by itself" by_cmake_static
 step "its reader runs" by_cmake_query
+step "README.md's program builds by the lines of docs/packaging.md" build_as_the_page_says
+step "it prints what its comments say" as_the_page_says
 step "tdsp::tdsp is the archive where there is no shared library" without_the_shared_library
 step "make uninstall" "$make" --no-print-directory uninstall BUILD="$build" DESTDIR="$dest" PREFIX=$prefix
 step "nothing is left" nothing_left

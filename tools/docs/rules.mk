@@ -11,7 +11,7 @@ docs: ## write the documentation site, build/docs/html (Doxygen)
 	@echo "$(SITE)/html/index.html"
 
 site: $(SITE)/made
-$(SITE)/made: $(HEADERS) $(PAGES) $(wildcard tools/docs/*) docs/pictures
+$(SITE)/made: $(wildcard include/tdsp/*.h) $(PAGES) $(wildcard tools/docs/*) docs/pictures
 	@rm -rf $(SITE) && mkdir -p $(SITE)
 	@$(PYTHON) tools/docs/pages.py pages $(SITE)/pages
 	@{ cat tools/docs/Doxyfile; printf '%s\n' 'PROJECT_NUMBER = $(VERSION)' 'OUTPUT_DIRECTORY = $(SITE)' 'INPUT = include/tdsp $(SITE)/pages'; } > $(SITE)/Doxyfile

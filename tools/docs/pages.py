@@ -30,7 +30,9 @@ def pages():
     """Paths of all pages in the order of the site, relative to the checkout."""
     docs = [f"docs/{name}.md" for name in ORDER]
     rest = sorted(str(p.relative_to(ROOT)) for p in (ROOT / "docs").glob("*.md") if str(p.relative_to(ROOT)) not in docs)
-    below = [str(p.relative_to(ROOT)) for name in ("math", "decisions") for p in sorted((ROOT / "docs" / name).glob("*.md"))]
+    chapters = (ROOT / "docs/math.md").read_text(encoding="utf-8")
+    math = sorted((ROOT / "docs/math").glob("*.md"), key=lambda p: (chapters.find(f"math/{p.name}"), p.name))
+    below = [str(p.relative_to(ROOT)) for p in [*math, *sorted((ROOT / "docs/decisions").glob("*.md"))]]
     return ["README.md", *docs, *rest, *below]
 
 

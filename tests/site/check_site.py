@@ -19,6 +19,8 @@ MARKUP = re.compile(r"[@\\](?:ref|subpage|anchor|param|return)\b|\]\([\w./#-]+\)
 # What it shows when something was written for HTML that Doxygen took for text.
 ESCAPED = re.compile(r"&(?:#\d+|lt|gt|amp|quot);|</?(?:code|a|img)\b")
 
+TITLE = re.compile(r'^ *\[ "[^"]*\\\\[^"]*", "docs_.*', re.M)
+
 
 class Reader(html.parser.HTMLParser):
     def __init__(self, text):
@@ -79,6 +81,8 @@ def main(folder):
     broken = [f"{page}: {wrong}" for page, link in links if (wrong := problem(folder, found, page, link))]
     shown = [f"{page}: {match[0]}" for page, reader in found.items() for match in [MARKUP.search(" ".join(reader.text))] if match]
     shown += [f"{page}: {match[0]}" for page, reader in found.items() for match in [ESCAPED.search("".join(reader.all))] if match]
+    # The tree at the left shows titles as they are written.
+    shown += [f"{p.name}: {match[0]}" for p in folder.glob("*.js") for match in [TITLE.search(p.read_text(encoding="utf-8"))] if match]
     fine = say(missing(folder), f"{len(pages.pages())} pages of the checkout are in it")
     fine &= say(broken if links else ["no links at all"], f"{len(links)} links of {len(found)} pages lead somewhere")
     fine &= say(shown, "no markup shows")

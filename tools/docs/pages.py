@@ -88,7 +88,7 @@ class Page:
         text = re.sub(r"[@\\]", r"\\\g<0>", re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", title))
         if not self.titled:
             self.titled = True
-            text = re.sub(r"^(\d+)\.", r"\1\.", text)  # a title, not the first item of a list
+            text = re.sub(r"^(\d+)\.", r"\1 ·", text)  # a title, not the first item of a list
             return f"# {text} {{#{page_name(self.path)}}}\n\n@anchor {name}\n"
         return f"{level} {text} {{#{name}}}"
 

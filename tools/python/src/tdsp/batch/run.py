@@ -118,6 +118,7 @@ class _Batch:
         self.plan, self.folder, self.client, self.retries, self.progress = plan, folder, client, retries, progress
         self.outcome = Outcome()
         self.names: dict[str, int] = {}
+        self.lost: dict[int, int] = {}  # parts whose results were, and how often
 
     def run(self) -> Outcome:
         missing = []
@@ -132,8 +133,8 @@ class _Batch:
         for part in self._first(rest):
             queue.add(self._submit(part))
         for future in queue:
-            self._settle(future)
-            following = next(rest, None)
+            again = self._settle(future)
+            following = again if again is not None else next(rest, None)
             if following is not None:
                 queue.add(self._submit(following))
         return self.outcome
@@ -147,16 +148,23 @@ class _Batch:
         self.names[future.key] = part
         return future
 
-    def _settle(self, future: Any) -> None:
+    def _settle(self, future: Any) -> Optional[int]:
+        """Take what came of a part; the part where it has to be handed out again."""
         part = self.names.pop(future.key)
         error = future.exception() if future.status == "error" else None
         if future.status == "finished":
             self.outcome.add(future.result())
         elif isinstance(error, KilledWorker):
             self._one_by_one(part)
+        elif error is None and items_file(self.folder, part).exists():
+            self.outcome.add(found_part(self.folder, part))  # done, and its worker died before it could say so
+        elif error is None and self.lost.get(part, 0) < self.retries:
+            self.lost[part] = self.lost.get(part, 0) + 1
+            return part
         else:
             self.outcome.unfinished[part] = f"{type(error).__name__}: {error}" if error else future.status
         self._tell()
+        return None
 
     def _one_by_one(self, part: int) -> None:
         """A part over which workers died: which item is it? Each by itself; the others' rows are kept."""

@@ -8,9 +8,12 @@
 /* Parts of a chunk that are looked at one by one, at most. */
 #define MOST_PARTS 64
 
-/* F of a line that touches, relative to the radius; and the most that rounding of times turns a heading by where it still matters. */
+/* F of a line that touches, relative to the distance of the centre; and the most that rounding of times turns a heading by where it still matters. */
 #define GRAZE_VALUE 1e-15
 #define GRAZE_TURN 0.01
+
+/* F that rounding may make of 0. */
+#define TOUCH_VALUE 1e-15
 
 /* A function of a leg's parameter whose sign changes once. */
 typedef struct leave_target {
@@ -93,16 +96,9 @@ static double landing_theta(tdsp_point center, int side, const sight_line *line,
     return atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
-/* To the goal itself: where an ulp of time turns the ride by much, as on a pebble late in time, its heading is not the root's. */
-static void line_aim(sight_line *line, tdsp_point place)
-{
-    tdsp_point to = point_sub(place, line->from);
-    double length = point_length(to);
-    if (length > 0.0) line->unit = point_scale(1.0 / length, to);
-}
-
 /*
- * To a disc, for the same reason: the heading turned about the place of leaving until the line touches it. F changes with that turn as the distance travelled does across the line.
+ * Where an ulp of time turns the ride by much, as on a pebble late in time, the heading of a root is not that of the tangent: it is turned about the place of leaving until the line touches
+ * the disc. F changes with that turn as the distance travelled does across the line.
  */
 static void line_graze(const leave_target *target, sight_line *line, sight_nearest *nearest)
 {
@@ -196,7 +192,7 @@ static tdsp_status push_part(leave_target *target, double from, double to, int s
         target->run = run;
         double a = target_value(target, from), b = target_value(target, to);
         /* Straight away from the centre both sides are one line, and rounding must not tell them apart: whom a disc just catches from behind it catches for both. */
-        if (!target->chunk && b < 0.0 && b > -GRAZE_VALUE) b = 0.0;
+        if (!target->chunk && b < 0.0 && b > -TOUCH_VALUE) b = 0.0;
         if ((a < 0.0) != (b < 0.0)) status = push_between(target, from, a, to, b, side);
     }
     target->run = SHAPE_NONE;
@@ -209,19 +205,19 @@ static int side_of(double offset)
     return offset > 0.0 ? 1 : -1;
 }
 
-/* The line that leaves there, aimed at the goal. */
-static tdsp_status push_aimed(const leave_target *target, double at)
+/* To the goal itself, by the line from there: the heading of a root is not exact, as in line_graze(). */
+static tdsp_status push_aimed(const leave_target *target, double at, sight_line line)
 {
-    sight_line line = target_line(target, at);
-    double length = point_distance(line.from, target->place);
-    line_aim(&line, target->place);
+    tdsp_point way = point_sub(target->place, line.from);
+    double length = point_length(way);
+    if (length > 0.0) line.unit = point_scale(1.0 / length, way);
     return target_push(target, at, &line, line.start + length, NULL);
 }
 
-static tdsp_status push_goal(leave_target *target, double at)
+static tdsp_status push_goal(const leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    return point_dot(point_sub(target->place, line.from), line.unit) >= 0.0 ? push_aimed(target, at) : TDSP_OK;
+    return point_dot(point_sub(target->place, line.from), line.unit) >= 0.0 ? push_aimed(target, at, line) : TDSP_OK;
 }
 
 /* Where e is 0, or near enough to run into the disc. */
@@ -322,7 +318,7 @@ static tdsp_status leave_onto_goal(const leave_target *goal)
     growth_moment moment = chunk_moment(chunk, at);
     double length = point_distance(rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), goal->place);
     double distance = point_distance(goal->place, chunk->shape->center);
-    return length <= GEOM_CONTACT * (1.0 + distance) ? push_aimed(goal, at) : TDSP_OK;
+    return length <= GEOM_CONTACT * (1.0 + distance) ? push_aimed(goal, at, target_line(goal, at)) : TDSP_OK;
 }
 
 /* To what is ahead, nearest first, as far as it is not hidden. Who asks why there is no path wants to see all that stops a robot. */
@@ -387,7 +383,7 @@ tdsp_status leave_start(growth_engine *engine)
     const growth_question *question = &engine->question;
     tdsp_point way = point_sub(question->goal, question->start);
     leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x), 0.0, NULL};
-    tdsp_status status = push_aimed(&goal, 0.0);
+    tdsp_status status = push_aimed(&goal, 0.0, target_line(&goal, 0.0));
     for (uint32_t i = 0; i < engine->reach.count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->reach.given[i];
         const growth_shape *shape = engine_shape(engine, disc);

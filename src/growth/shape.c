@@ -265,14 +265,15 @@ static double panel_turned(const shape_panel *panel, double time)
 }
 
 /*
- * Panels over a span, from its start on; the parts still to come are halved as needed. None is longer than the time before it, so that its error, a share of what it turns, is no more than
- * the rounding of its times makes of any ride in it.
+ * Where a panel may end that is as wide as this: none is longer than the time before it, so that its error, a share of what it turns, is no more than the rounding of its times makes of
+ * any ride in it.
  */
 static double panel_end(const shape_span *span, double from, double width)
 {
     return fmin(span->to, from + fmin(width, fmax(1.0, from)));
 }
 
+/* Panels over a span, from its start on; `to` and the parts still to come are halved as needed. */
 static tdsp_status span_measure(growth_shape *shape, const tdsp_allocator *allocator, uint32_t k)
 {
     shape_span *span = &shape->spans[k];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Rows as they are stored: numbers, legs, opaque bytes. */
+/* Rows as they are stored: numbers, legs, opaque bytes. Each function compares its row where it stands, as the proof needs (tests/proof). */
 #include "table/read.h"
 #include "tdsp/table.h"
 

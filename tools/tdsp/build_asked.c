@@ -51,8 +51,7 @@ static gboolean parse_rest(BuildAsked *asked, const char *file, GError **error)
     const char *wrong = asked->threads ? number_parse_whole(asked->threads, 1, MOST_THREADS, &threads) : NULL;
     if (wrong) return cli_fail(error, CLI_USAGE, "--threads \"%s\": %s (1 to %d)", asked->threads, wrong, MOST_THREADS);
     asked->threads_count = (guint)threads;
-    wrong = asked->horizon ? number_parse_time(asked->horizon, &asked->options.horizon) : NULL;
-    if (wrong) return cli_fail(error, CLI_USAGE, "--horizon \"%s\": %s", asked->horizon, wrong);
+    if (!cli_option_number("--horizon", asked->horizon, &asked->options.horizon, error)) return FALSE;
     guint64 rows = TDSP_MAX_ROWS;
     wrong = asked->max_rows ? number_parse_whole(asked->max_rows, 1, TDSP_MAX_ROWS, &rows) : NULL;
     if (wrong) return cli_fail(error, CLI_USAGE, "--max-rows \"%s\": %s (1 to %u)", asked->max_rows, wrong, TDSP_MAX_ROWS);

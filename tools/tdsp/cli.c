@@ -9,6 +9,7 @@
 
 #include "describe.h"
 #include "descriptor.h"
+#include "numbers.h"
 
 GQuark cli_error_quark(void)
 {
@@ -188,4 +189,25 @@ gboolean cli_positional(const CliCommand *command, int argc, int least, int most
     if (given >= least && (most < 0 || given <= most)) return TRUE;
     g_autofree char *hint = usage_hint(command);
     return cli_fail(error, CLI_USAGE, "%s %s", given < least ? "too few arguments" : "too many arguments", hint);
+}
+
+static gboolean fail_option(const char *option, const char *text, const char *wrong, GError **error)
+{
+    return cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong);
+}
+
+gboolean cli_option_number(const char *option, const char *text, double *value, GError **error)
+{
+    const char *wrong = text ? number_parse_time(text, value) : NULL;
+    return wrong ? fail_option(option, text, wrong, error) : TRUE;
+}
+
+gboolean cli_option_point(const char *option, const char *text, const char *form, tdsp_point *point, GError **error)
+{
+    if (!text) return TRUE;
+    g_auto(GStrv) parts = g_strsplit(text, ",", 0);
+    if (g_strv_length(parts) != 2) return cli_fail(error, CLI_USAGE, "%s \"%s\": must be two numbers, %s", option, text, form);
+    const char *wrong = number_parse(g_strstrip(parts[0]), &point->x);
+    if (!wrong) wrong = number_parse(g_strstrip(parts[1]), &point->y);
+    return wrong ? fail_option(option, text, wrong, error) : TRUE;
 }

@@ -12,6 +12,7 @@
 #include <glib.h>
 
 #include "tdsp/status.h"
+#include "tdsp/types.h"
 
 /* Exit statuses; part of the command line's contract. */
 enum {
@@ -54,6 +55,13 @@ void cli_tell_options(const CliCommand *command, struct JsonOut *out);
 
 /* A usage error unless there are `least` to `most` positional arguments (most < 0: any number). */
 gboolean cli_positional(const CliCommand *command, int argc, int least, int most, GError **error);
+
+/*
+ * The value of an option: a number that is not negative; two numbers in the form "X,Y" or "LON,LAT", which messages call `form`. What it goes to stays as it is
+ * where `text` is NULL, for an option that was not given. Else a usage error that names the option.
+ */
+gboolean cli_option_number(const char *option, const char *text, double *value, GError **error);
+gboolean cli_option_point(const char *option, const char *text, const char *form, tdsp_point *point, GError **error);
 
 /* Set an error: `status` is an exit status. Returns FALSE, so that callers can return it. */
 gboolean cli_fail(GError **error, int status, const char *format, ...) G_GNUC_PRINTF(3, 4);

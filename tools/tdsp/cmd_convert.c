@@ -8,7 +8,6 @@
 #include "convert_asked.h"
 #include "file_in.h"
 #include "file_out.h"
-#include "numbers.h"
 #include "units.h"
 
 typedef struct Converting {
@@ -115,10 +114,10 @@ static double speed_of(const Converting *work, double given, const PathFile *pat
 static gboolean read_path(const ConvertAsked *asked, Converting *work, PathFile *path, GError **error)
 {
     double given = 0;
-    const char *wrong = asked->draft.speed ? number_parse_time(asked->draft.speed, &given) : NULL;
-    if (wrong) return cli_fail(error, CLI_USAGE, "--speed \"%s\": %s", asked->draft.speed, wrong);
     g_auto(PathFile) rough = {0};
-    if (!path_json_parse(work->file, work->text, work->length, 0, &rough, error)) return FALSE;
+    if (!cli_option_number("--speed", asked->draft.speed, &given, error) ||
+        !path_json_parse(work->file, work->text, work->length, 0, &rough, error))
+        return FALSE;
     if (!isfinite(rough.arrival)) return cli_fail(error, CLI_NO, "%s: no path to convert: %s", work->file, rough.status);
     if (rough.legs->len == 0) return cli_fail(error, CLI_NO, "%s: a path that stays where it is has no legs to convert", work->file);
     double speed = speed_of(work, given, &rough);

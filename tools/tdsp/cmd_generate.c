@@ -28,8 +28,7 @@ static gboolean parse_growth(Wanted *wanted, GError **error)
     if (!wanted->growth) return TRUE;
     if (wanted->kind->growth < 0)
         return cli_fail(error, CLI_USAGE, "--growth: the construction %s sets its own growth", wanted->kind->name);
-    const char *wrong = number_parse_time(wanted->growth, &wanted->options.growth);
-    return wrong ? cli_fail(error, CLI_USAGE, "--growth \"%s\": %s", wanted->growth, wrong) : TRUE;
+    return cli_option_number("--growth", wanted->growth, &wanted->options.growth, error);
 }
 
 static gboolean parse_wanted(Wanted *wanted, const char *kind, GError **error)

@@ -102,8 +102,7 @@ static gboolean parse_wanted(Wanted *wanted, GError **error)
     g_autoptr(GArray) times = times_new();
     if (!wanted->output) return cli_fail(error, CLI_USAGE, "-o FILE is missing: where to draw, .svg or .png");
     if (!canvas_check_name(wanted->output, error)) return FALSE;
-    const char *wrong = wanted->horizon_text ? number_parse_time(wanted->horizon_text, &wanted->horizon) : NULL;
-    if (wrong) return cli_fail(error, CLI_USAGE, "--horizon \"%s\": %s", wanted->horizon_text, wrong);
+    if (!cli_option_number("--horizon", wanted->horizon_text, &wanted->horizon, error)) return FALSE;
     if (!wanted->depart_text) return TRUE;
     if (!times_add(times, wanted->depart_text, "--depart", error)) return FALSE;
     wanted->departure = g_array_index(times, double, 0);

@@ -6,7 +6,6 @@
 
 #include "cli.h"
 #include "json_read.h"
-#include "numbers.h"
 #include "words.h"
 
 const char *convert_kind_word(ConvertKind kind)
@@ -126,19 +125,13 @@ static gboolean check_purpose(ConvertAsked *asked, const char *file, ConvertKind
     return TRUE;
 }
 
-static gboolean parse_length(const char *option, const char *text, double *length, GError **error)
-{
-    const char *wrong = text ? number_parse_time(text, length) : NULL;
-    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
-}
-
 static gboolean parse_numbers(ConvertAsked *asked, GError **error)
 {
     DraftFields *fields = &asked->fields;
     *fields = (DraftFields){asked->role_field ? asked->role_field : "role", asked->radius_field ? asked->radius_field : "radius",
                             asked->growth_field ? asked->growth_field : "growth", asked->x_field, asked->y_field, asked->lon_field, asked->lat_field, -1, -1};
-    if (!parse_length("--radius", asked->radius, &fields->missing_radius, error) || !parse_length("--growth", asked->growth, &fields->missing_growth, error) ||
-        !parse_length("--tolerance", asked->tolerance, &asked->tolerance_length, error))
+    if (!cli_option_number("--radius", asked->radius, &fields->missing_radius, error) || !cli_option_number("--growth", asked->growth, &fields->missing_growth, error) ||
+        !cli_option_number("--tolerance", asked->tolerance, &asked->tolerance_length, error))
         return FALSE;
     if (asked->tolerance && !(asked->tolerance_length > 0)) return cli_fail(error, CLI_USAGE, "--tolerance must be greater than zero");
     return (fields->x || fields->y) && (fields->lon || fields->lat) ? cli_fail(error, CLI_USAGE, "--x-field, --y-field or --lon-field, --lat-field, not both") : TRUE;

@@ -17,15 +17,6 @@
 #define ELLIPSOID "WGS84"
 #define ROUND 1e4 /* of a derived origin: parts of a degree, 11 m */
 
-const char *geo_place_parse(const char *text, GeoPlace *place)
-{
-    g_auto(GStrv) parts = g_strsplit(text, ",", 0);
-    if (g_strv_length(parts) != 2) return "must be two numbers, LON,LAT";
-    const char *wrong = number_parse(g_strstrip(parts[0]), &place->lon);
-    if (!wrong) wrong = number_parse(g_strstrip(parts[1]), &place->lat);
-    return wrong ? wrong : geodesic_check(*place);
-}
-
 gboolean georeference_forward(const Georeference *geo, double metres, GeoPlace place, tdsp_point *point)
 {
     double distance, azimuth;

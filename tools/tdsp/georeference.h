@@ -22,9 +22,6 @@ typedef struct Georeference {
     GeoPlace origin;
 } Georeference;
 
-/* "LON,LAT". NULL, or what is wrong. */
-const char *geo_place_parse(const char *text, GeoPlace *place);
-
 /* A place in the plane, in units of `metres` metres. FALSE beyond GEOREFERENCE_REFUSE from the origin. */
 gboolean georeference_forward(const Georeference *geo, double metres, GeoPlace place, tdsp_point *point);
 GeoPlace georeference_inverse(const Georeference *geo, double metres, tdsp_point point);

@@ -10,7 +10,6 @@
 
 #include "cli.h"
 #include "growth_json.h"
-#include "numbers.h"
 #include "units.h"
 
 SceneDraft scene_draft_new(const char *file)
@@ -135,19 +134,13 @@ static void merge_name(SceneDescription *scene, const char *option, const SceneD
     scene->name = chosen;
 }
 
-static gboolean parse_number(const char *option, const char *text, double *number, GError **error)
-{
-    const char *wrong = text ? number_parse_time(text, number) : NULL;
-    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
-}
-
 static gboolean merge_robot(SceneDraft *draft, const DraftOptions *options, const SceneDescription *like, GError **error)
 {
     tdsp_journey *journey = &draft->scene.journey;
     if (like && !(journey->speed > 0)) journey->speed = like->journey.speed;
     if (like && !(journey->radius > 0)) journey->radius = like->journey.radius;
-    if (!parse_number("--speed", options->speed, &journey->speed, error) ||
-        !parse_number("--robot-radius", options->robot_radius, &journey->radius, error))
+    if (!cli_option_number("--speed", options->speed, &journey->speed, error) ||
+        !cli_option_number("--robot-radius", options->robot_radius, &journey->radius, error))
         return FALSE;
     if (journey->speed > 0) return TRUE;
     return cli_fail(error, CLI_USAGE, options->speed ? "--speed must be greater than zero" : "%s does not say how fast the robot is: --speed V", draft->file);
@@ -160,14 +153,21 @@ static gboolean same_origin(const Georeference *one, const Georeference *other)
     return one->origin.lon == other->origin.lon && one->origin.lat == other->origin.lat;
 }
 
+static gboolean parse_geographic(const char *option, const char *text, tdsp_point *place, GError **error)
+{
+    if (!cli_option_point(option, text, "LON,LAT", place, error)) return FALSE;
+    const char *wrong = geodesic_check((GeoPlace){place->x, place->y});
+    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
+}
+
 /* The plane that is asked for, by option or by the other scene; unknown where neither says one. */
 static gboolean asked_plane(const DraftOptions *options, const SceneDescription *like, Georeference *plane, GError **error)
 {
     *plane = like ? like->georeference : (Georeference){0};
     if (!options->origin) return TRUE;
-    Georeference asked = {.known = TRUE};
-    const char *wrong = geo_place_parse(options->origin, &asked.origin);
-    if (wrong) return cli_fail(error, CLI_USAGE, "--origin \"%s\": %s", options->origin, wrong);
+    tdsp_point origin;
+    if (!parse_geographic("--origin", options->origin, &origin, error)) return FALSE;
+    const Georeference asked = {TRUE, {origin.x, origin.y}};
     if (plane->known && !same_origin(plane, &asked)) return cli_fail(error, CLI_USAGE, "--origin and --scene contradict each other");
     *plane = asked;
     return TRUE;
@@ -175,11 +175,7 @@ static gboolean asked_plane(const DraftOptions *options, const SceneDescription 
 
 static gboolean parse_end(const SceneDraft *draft, const char *option, const char *text, tdsp_point *place, GError **error)
 {
-    g_auto(GStrv) parts = g_strsplit(text, ",", 0);
-    const char *wrong = g_strv_length(parts) == 2 ? number_parse(g_strstrip(parts[0]), &place->x) : draft->geographic ? "must be two numbers, LON,LAT" : "must be two numbers, X,Y";
-    if (!wrong) wrong = number_parse(g_strstrip(parts[1]), &place->y);
-    if (!wrong && draft->geographic) wrong = geodesic_check((GeoPlace){place->x, place->y});
-    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
+    return draft->geographic ? parse_geographic(option, text, place, error) : cli_option_point(option, text, "X,Y", place, error);
 }
 
 /* The ends as far as the options say them; they have no item. */

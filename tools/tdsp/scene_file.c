@@ -22,20 +22,11 @@ gboolean scene_ends_fit(const SceneEnds *ends, const FileIn *file, GError **erro
     return cli_fail(error, CLI_USAGE, "--from and --to go with a scene; %s is a table", cli_file_name(file->path));
 }
 
-/* "X,Y" */
-static gboolean parse_end(const char *option, const char *text, tdsp_point *place, GError **error)
-{
-    g_auto(GStrv) parts = text ? g_strsplit(text, ",", 0) : NULL;
-    if (!parts) return TRUE;
-    const char *wrong = g_strv_length(parts) == 2 ? number_parse(g_strstrip(parts[0]), &place->x) : "must be two numbers, X,Y";
-    if (!wrong) wrong = number_parse(g_strstrip(parts[1]), &place->y);
-    return wrong ? cli_fail(error, CLI_USAGE, "%s \"%s\": %s", option, text, wrong) : TRUE;
-}
-
 static gboolean replace_ends(const SceneEnds *ends, tdsp_journey *journey, GError **error)
 {
     if (!ends) return TRUE;
-    if (!parse_end("--from", ends->from, &journey->source, error) || !parse_end("--to", ends->to, &journey->destination, error)) return FALSE;
+    if (!cli_option_point("--from", ends->from, "X,Y", &journey->source, error) || !cli_option_point("--to", ends->to, "X,Y", &journey->destination, error))
+        return FALSE;
     const char *wrong = tdsp_journey_check(journey);
     return wrong ? cli_fail(error, CLI_USAGE, "--from, --to: %s", wrong) : TRUE;
 }

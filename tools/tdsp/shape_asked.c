@@ -36,9 +36,7 @@ gboolean shape_asked_begin(ShapeAsked *asked, const char *path, const char *what
     defaults.least = asked->options.least;
     defaults.resolution = asked->options.resolution;
     asked->options = defaults;
-    const char *wrong = asked->horizon ? number_parse_time(asked->horizon, &asked->options.until) : NULL;
-    if (wrong) return cli_fail(error, CLI_USAGE, "--horizon \"%s\": %s", asked->horizon, wrong);
-    if (!scene_solver_load(path, &asked->solver, error)) return FALSE;
+    if (!cli_option_number("--horizon", asked->horizon, &asked->options.until, error) || !scene_solver_load(path, &asked->solver, error)) return FALSE;
     asked->progress = progress_begin(what);
     asked->options.progress = show;
     asked->options.progress_ctx = &asked->progress;

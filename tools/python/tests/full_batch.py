@@ -12,14 +12,16 @@ import tempfile
 import time
 import unittest
 from collections import Counter
-from typing import Any, Callable
+from typing import Any, Callable, Optional
 
 import dask
-from distributed import Client, LocalCluster, WorkerPlugin
+from distributed import Client, KilledWorker, LocalCluster, WorkerPlugin
+from distributed.client import FutureCancelledError
 from support import SCENES, crowd
 
 import tdsp
 from tdsp import batch
+from tdsp.batch.run import Outcome, _Batch
 from tdsp.batch.work import items_file
 
 
@@ -72,6 +74,38 @@ class FullDisc(WorkerPlugin):
             return commit(*arguments)
 
         work.commit = full
+
+
+class Answer:
+    """A stand-in for a future that seems to have ended well, until its result is asked for."""
+
+    status, key = "finished", "work"
+
+    def __init__(self, result: object) -> None:
+        self._result = result
+
+    def exception(self) -> None:
+        """It seems that there is none."""
+
+    def result(self) -> object:
+        if isinstance(self._result, BaseException):
+            raise self._result
+        return self._result
+
+
+class Answers:
+    """A stand-in for a cluster: works here, except where it is told an end that a task has."""
+
+    def __init__(self, ends: list[Optional[BaseException]]) -> None:
+        self.ends = ends
+
+    def submit(self, work: Callable[..., object], *arguments: Any, pure: bool, retries: int) -> Answer:
+        end = self.ends.pop(0)
+        return Answer(work(*arguments) if end is None else end)
+
+
+CANCELLED = FutureCancelledError("work", "somebody's wish")
+KILLED = KilledWorker("work", None, 4)
 
 
 class BatchTest(unittest.TestCase):
@@ -214,6 +248,58 @@ class BatchTest(unittest.TestCase):
         self.assert_whole(6, 1)
         [row] = [row for row in batch.items(self.out).to_table().to_pylist() if row["status"] != "ok"]
         self.assertEqual((row["name"], row["error"]), ("crowd-0002-deadly", "the worker died 2 times over it"))
+
+    def settled(self, ends: list[Optional[BaseException]], retries: int = 1) -> tuple[list[Optional[int]], Outcome]:
+        """A batch of one part of three items, by a cluster whose tasks end so: what is to be handed out again each time, and the outcome."""
+        plan = batch.Plan.make(batch.read_scenes([self.scenes(3)]), batch.Questions((0.0,)), 3)
+        alone = _Batch(plan, str(self.out), Answers(ends), retries, None)  # type: ignore[arg-type]
+        again = []
+        while ends:
+            again.append(alone._settle(alone._submit(0)))
+        return again, alone.outcome
+
+    def test_a_result_lost_with_its_worker_is_worked_out_again(self) -> None:
+        plan = batch.Plan.make(batch.read_scenes([self.scenes(3)]), batch.Questions((0.0,)), 3)
+        for kept in (True, False):
+            client = cluster(1)
+            try:
+                alone = _Batch(plan, str(self.out), client, 3, None)
+                future = alone._submit(0)
+                wait_for(lambda: future.status == "finished")
+                if not kept:
+                    items_file(str(self.out), 0).unlink()
+                [worker] = client.run(os.getpid).values()
+                os.kill(worker, signal.SIGKILL)
+                wait_for(lambda: future.status == "lost")
+                self.assertIsNone(alone._settle(future))
+            finally:
+                close(client)
+            self.assertEqual((alone.outcome.items, alone.outcome.found, alone.outcome.unfinished), (3, int(kept), {}))
+            self.assert_whole(3, 1)
+
+    def test_a_result_lost_while_it_is_fetched_may_end_with_dead_workers(self) -> None:
+        again, outcome = self.settled([KILLED, None, KILLED, None])
+        self.assertEqual((again, outcome.items, outcome.errors, outcome.unfinished), ([None], 3, 1, {}))
+        self.assert_whole(3, 1)
+
+    def test_a_part_that_is_cancelled_is_handed_out_again(self) -> None:
+        again, outcome = self.settled([CANCELLED, None])
+        self.assertEqual((again, outcome.items, outcome.unfinished), ([0, None], 3, {}))
+        self.assert_whole(3, 1)
+
+    def test_a_part_is_handed_out_again_when_one_of_its_items_is_cancelled(self) -> None:
+        again, outcome = self.settled([KILLED, None, CANCELLED, KILLED, None, None, KILLED])
+        self.assertEqual((again, outcome.items, outcome.errors, outcome.unfinished), ([0, None], 3, 1, {}))
+        self.assert_whole(3, 1)
+
+    def test_a_part_that_is_cancelled_over_and_over_stays_undone_and_says_why(self) -> None:
+        again, outcome = self.settled([CANCELLED, KILLED, None, CANCELLED])
+        self.assertEqual((again, outcome.items), ([0, None], 0))
+        self.assertEqual(outcome.unfinished, {0: "FutureCancelledError: work cancelled for reason: somebody's wish."})
+
+    def test_an_item_for_which_the_machine_fails_leaves_its_part_undone(self) -> None:
+        again, outcome = self.settled([KILLED, None, OSError(28, "No space left on device")])
+        self.assertEqual((again, outcome.items, outcome.unfinished), ([None], 0, {0: "OSError: [Errno 28] No space left on device"}))
 
     def test_a_machine_that_fails_is_tried_again_and_makes_no_row(self) -> None:
         plan = batch.Plan.make(batch.read_scenes([self.scenes(4)]), batch.Questions((0.0,)), 2)

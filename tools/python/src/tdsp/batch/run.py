@@ -6,11 +6,12 @@ import contextlib
 import fcntl
 import os
 import pathlib
+from collections import Counter
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterator, Optional
 
 import pyarrow.dataset
-from distributed import Client, KilledWorker, as_completed
+from distributed import CancelledError, Client, KilledWorker, as_completed
 
 from .._files import TEMPORARY, PathLike
 from .._library import version
@@ -118,7 +119,7 @@ class _Batch:
         self.plan, self.folder, self.client, self.retries, self.progress = plan, folder, client, retries, progress
         self.outcome = Outcome()
         self.names: dict[str, int] = {}
-        self.lost: dict[int, int] = {}  # parts whose results were, and how often
+        self.cancelled: Counter[int] = Counter()  # how often each part was
 
     def run(self) -> Outcome:
         missing = []
@@ -151,44 +152,50 @@ class _Batch:
     def _settle(self, future: Any) -> Optional[int]:
         """Take what came of a part; the part where it has to be handed out again."""
         part = self.names.pop(future.key)
-        error = future.exception() if future.status == "error" else None
-        if future.status == "finished":
-            self.outcome.add(future.result())
-        elif isinstance(error, KilledWorker):
-            self._one_by_one(part)
-        elif error is None and items_file(self.folder, part).exists():
-            self.outcome.add(found_part(self.folder, part))  # done, and its worker died before it could say so
-        elif error is None and self.lost.get(part, 0) < self.retries:
-            self.lost[part] = self.lost.get(part, 0) + 1
-            return part
-        else:
-            self.outcome.unfinished[part] = f"{type(error).__name__}: {error}" if error else future.status
+        try:
+            self.outcome.add(self._done(part, future))
+        except CancelledError as error:
+            self.cancelled[part] += 1
+            if self.cancelled[part] <= self.retries:
+                return part
+            self.outcome.unfinished[part] = _reason(error)
+        except Exception as error:
+            self.outcome.unfinished[part] = _reason(error)
         self._tell()
         return None
 
-    def _one_by_one(self, part: int) -> None:
+    def _done(self, part: int, future: Any) -> Done:
+        """What became of a part. Only `result` tells: by its status a future may have ended, and its worker die before the result is fetched. The cluster
+        then does the task again, `result` waits for that, and it may end otherwise."""
+        try:
+            done: Done = future.result()
+            return done
+        except KilledWorker:
+            return self._one_by_one(part)
+
+    def _one_by_one(self, part: int) -> Done:
         """A part over which workers died: which item is it? Each by itself; the others' rows are kept."""
         rows = Rows([], [])
         for number, item in self.plan.part(part):
             future = self.client.submit(work_items, self.folder, part, [(number, item)], self.plan.questions, pure=False, retries=self.retries)
-            error = future.exception()
-            if isinstance(error, KilledWorker):
-                one = killed_row(number, item, self.plan.questions, _attempts(self.client))
-            elif error is not None:
-                self.outcome.unfinished[part] = f"{type(error).__name__}: {error}"
-                return
-            else:
+            try:
                 one = future.result()
+            except KilledWorker:
+                one = killed_row(number, item, self.plan.questions, _attempts())
             rows.answers += one.answers
             rows.items += one.items
-        self.outcome.add(commit(self.folder, part, rows))
+        return commit(self.folder, part, rows)
 
     def _tell(self) -> None:
         if self.progress is not None:
             self.progress(self.outcome.items, len(self.plan.items), self.outcome.errors)
 
 
-def _attempts(client: Client) -> int:
+def _reason(error: BaseException) -> str:
+    return f"{type(error).__name__}: {error}"
+
+
+def _attempts() -> int:
     """How often a task's worker may die before the cluster gives it up, the last time included."""
     import dask
     return int(dask.config.get("distributed.scheduler.allowed-failures")) + 1

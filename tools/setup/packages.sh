@@ -7,13 +7,15 @@
 #   packages.sh languages  what the library, its Python package and the wrappers in other languages need
 #   packages.sh packaging  what packing and installing releases and Debian packages needs, and other shells to complete words in
 #   packages.sh docs     what writing the documentation site needs
+#   packages.sh page     what building the page needs
+#   packages.sh page-check  that, the command, and what trying the page in a browser needs
 #   packages.sh trust    all that of check, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
 # from elsewhere is left alone, and so is a system without apt.
 set -euo pipefail
 
 tier=${1:-}
-case $tier in demo | bench | check | languages | packaging | docs | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|packaging|docs|trust" >&2; exit 2 ;; esac
+case $tier in demo | bench | check | languages | packaging | docs | page | page-check | trust) ;; *) echo "usage: packages.sh demo|bench|check|languages|packaging|docs|page|page-check|trust" >&2; exit 2 ;; esac
 
 missing=()
 has_command() { command -v "$1" >/dev/null 2>&1; }
@@ -44,6 +46,8 @@ has_gcc() { c_program | compiles gcc c; }
 has_gxx() { c_program | compiles g++ c++; }
 has_clang() { c_program | compiles clang-19 c; }
 has_sanitizers() { fuzz_program | compiles clang-19 c -fsanitize=fuzzer,address,undefined; }
+# A program for WebAssembly that needs the C library, the compiler's runtime and the linker.
+has_wasm() { c_program | compiles clang-14 c --target=wasm32-wasi --sysroot=/usr; }
 has_callgrind() { has_command valgrind && callgrind_program | compiles gcc c; }
 # Debian's cross compiler comes without a C library, so one is linked with.
 has_firmware() { echo 'int main(void) { return 0; }' | compiles arm-none-eabi-gcc c -mcpu=cortex-m3 -mthumb --specs=rdimon.specs; }
@@ -73,7 +77,7 @@ has_clangxx() { c_program | compiles clang++-19 c++ || c_program | compiles clan
 has_venv() { has_command python3 && python3 -c 'import ensurepip, venv' >/dev/null 2>&1; }
 has_python() { has_command python3 && python3 -c 'import json, subprocess, argparse' >/dev/null 2>&1; }
 
-if [ "$tier" != docs ]; then
+if [ "$tier" != docs ] && [ "$tier" != page ]; then
     need gcc has_gcc
     need libc6-dev has_gcc
     need make has_command make
@@ -82,7 +86,7 @@ if [ "$tier" != docs ]; then
     need libjson-glib-dev has_library json-glib-1.0
     need libcairo2-dev has_library cairo
 fi
-if [ "$tier" != demo ] && [ "$tier" != languages ] && [ "$tier" != docs ]; then
+if [ "$tier" != demo ] && [ "$tier" != languages ] && [ "$tier" != docs ] && [ "$tier" != page ] && [ "$tier" != page-check ]; then
     need g++ has_gxx
     need python3 has_python
     need valgrind has_callgrind
@@ -114,6 +118,23 @@ if [ "$tier" = check ] || [ "$tier" = trust ]; then
 fi
 if [ "$tier" = check ] || [ "$tier" = docs ] || [ "$tier" = trust ]; then
     need doxygen has_command doxygen
+fi
+if [ "$tier" = page ] || [ "$tier" = page-check ] || [ "$tier" = check ] || [ "$tier" = trust ]; then
+    need clang-14 has_wasm
+    need lld-14 has_wasm
+    need wasi-libc has_wasm
+    need libclang-rt-14-dev-wasm32 has_wasm
+    need python3 has_python
+    need make has_command make
+fi
+if [ "$tier" = page-check ] || [ "$tier" = check ] || [ "$tier" = trust ]; then
+    need nodejs has_command node
+fi
+if [ "$tier" = page-check ]; then
+    need npm has_command npm
+    need chromium has_command chromium
+    need diffutils has_command cmp
+    need ca-certificates test -e /etc/ssl/certs/ca-certificates.crt
 fi
 if [ "$tier" = docs ]; then
     need python3 has_python

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: MIT
+/**
+ * Where the curve's picture has its window, and where its labels find room: those of jumps, of the last departure and of the deadline
+ * stay where they are while the departure moves.
+ */
+import { axesRoom, frameTicks, frameX, frameY } from "tdsp/axes.js";
+import { Labels } from "tdsp/draw_labels.js";
+import { TEXT } from "tdsp/draw_text.js";
+import { withUnit } from "tdsp/numbers.js";
+import { valueOf } from "tdsp/curve_data.js";
+import { placeLegend } from "tdsp/draw_legend.js";
+
+/** @typedef {import("tdsp/curve_picture.js").CurveState} CurveState */
+/** @typedef {import("tdsp/draw_labels.js").Label} Label */
+/** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
+
+const WIDE = 560;
+const LABELLED = 0.02; // of the window's height: smaller jumps get no label
+const MOST_LABELS = 12;
+
+/** @type {Record<string, string>} */
+const REASONS = {
+    source_covered: "the source is covered",
+    destination_covered: "the destination is covered before it can be reached",
+    cut_off: "every way is cut off",
+};
+
+/** Why departures end, in some words; empty where the reason is not of the scene. @param {string|undefined} reason */
+export function reasonWords(reason) {
+    return (reason && REASONS[reason]) ?? "";
+}
+
+/** @param {CurveState} state */
+export function legendOf(state) {
+    const items = [];
+    if (state.curve.count > 0) items.push({ kind: "curve", wide: 24, text: state.mode === "arrival" ? "earliest arrival, exact" : "travel time, exact" });
+    if (state.rows) items.push({ kind: "band", wide: 24, text: "certified by the table" });
+    if (state.jumps.length > 0) items.push({ kind: "jump", wide: 10, text: `jump${state.jumps.length === 1 ? "" : "s"} (${state.jumps.length})` });
+    return items;
+}
+
+/** @param {CurveState} state */
+function axesOf(state) {
+    const unit = state.units.time;
+    return { x: { name: "departure", unit, divisor: 1 }, y: { name: state.mode === "arrival" ? "arrival" : "travel time", unit, divisor: 1 } };
+}
+
+/**
+ * The frame, axes and legend on a canvas of this size.
+ * @param {CurveState} state
+ * @param {number} width
+ * @param {number} height
+ * @param {Pen["width"]} measure
+ */
+export function arrangeCurve(state, width, height, measure) {
+    const titled = width >= WIDE, top = 14 + state.head, right = 14, axes = axesOf(state);
+    const draft = { ...state.window, left: 50, top, width: width - 64, height: Math.max(40, height - 80) };
+    const room = axesRoom(frameTicks(draft, axes.x, axes.y, measure), true);
+    const left = titled ? room.left : room.left - 20;
+    const legend = state.legend ? placeLegend(legendOf(state), width - left - right, measure) : { items: [], height: 0 };
+    const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
+    const frame = { ...state.window, left, top, width: Math.max(20, width - left - right), height: Math.max(20, height - top - below - 4) };
+    return { frame, axes, titled, ticks: frameTicks(frame, axes.x, axes.y, measure), legend: legend.items, legendTop: height - legend.height - 4 };
+}
+
+/** @typedef {ReturnType<typeof arrangeCurve>} CurveArrangement */
+
+/** Where a departure and its travel time are. @param {CurveState} state */
+export function placeOf(state, frame, departure, travel) {
+    return { x: frameX(frame, departure), y: frameY(frame, valueOf(state.mode, departure, travel)) };
+}
+
+/** The curve as what labels had better not hide. @param {CurveState} state @param {Labels} labels */
+function addCurve(state, frame, labels) {
+    const { curve } = state;
+    let from = null;
+    for (let i = 0; i < curve.count; i++) {
+        const to = placeOf(state, frame, curve.departure[i], curve.travel[i]);
+        if (from) labels.addLine(from.x, from.y, to.x, to.y);
+        from = to;
+    }
+    for (let i = 0; state.rows && i < Math.min(state.rows.departures.length, 2000); i++) {
+        const at = placeOf(state, frame, state.rows.departures[i], state.rows.left[i]);
+        labels.addObstacle(at.x, at.y);
+    }
+}
+
+/** @param {import("tdsp/curve_data.js").Jump} jump @param {string} unit */
+export function jumpText(jump, unit) {
+    const moment = withUnit(jump.departure, unit, 6), gap = jump.gap;
+    return gap && gap.first >= 0 ? `${moment}: discs ${gap.first} and ${gap.second} close` : moment;
+}
+
+/** @param {CurveState} state @param {Labels} labels */
+function placeJumps(state, frame, labels) {
+    const style = { size: TEXT - 1, colour: state.palette.alarmText, halo: state.palette.paper };
+    const ends = (jump) => [placeOf(state, frame, jump.departure, jump.travelBefore), placeOf(state, frame, jump.departure, jump.travelAfter)];
+    const large = state.jumps.filter((jump) => {
+        const [low, high] = ends(jump);
+        return low.y - high.y >= LABELLED * frame.height;
+    });
+    large.sort((one, other) => other.travelAfter - other.travelBefore - (one.travelAfter - one.travelBefore));
+    for (const jump of large.slice(0, 200)) for (const end of ends(jump)) labels.addMark(end.x, end.y, 5);
+    for (const jump of large.slice(0, MOST_LABELS)) {
+        const [low, high] = ends(jump);
+        labels.place(low.x, (low.y + high.y) / 2, 9, 0, jumpText(jump, state.units.time), style) ??
+            labels.place(low.x, (low.y + high.y) / 2, 9, 0, withUnit(jump.departure, state.units.time, 6), style);
+    }
+}
+
+/** What is written along the line of the last departure: as much as there is room for. @param {CurveState} state @param {Pen["width"]} measure */
+function lastText({ last, units }, room, measure) {
+    const style = { size: TEXT, colour: "" };
+    if (last.reason === "horizon") return "horizon";
+    const why = reasonWords(last.reason), moment = withUnit(last.departure, units.time, 6);
+    const texts = [why && `last departure ${moment}: then ${why}`, why && `then ${why}`, `last departure ${moment}`, "last departure"];
+    return texts.find((text) => text && measure(text, style) < room) ?? "";
+}
+
+/** The line of the last departure, and words along it where the curve leaves more room: below it or above. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */
+function placeLast(state, frame, labels, measure) {
+    const { last, curve } = state;
+    if (!last || !Number.isFinite(last.departure) || curve.count === 0) return null;
+    const x = frameX(frame, last.departure), low = frame.top + frame.height;
+    const end = placeOf(state, frame, curve.departure[curve.count - 1], curve.travel[curve.count - 1]).y;
+    const below = low - end > end - frame.top, text = lastText(state, (below ? low - end : end - frame.top) - 26, measure);
+    const long = measure(text, { size: TEXT, colour: "" }), y = below ? low - 10 : end - 14;
+    labels.addBox({ left: x - 21, right: x + 3, top: y - long - 4, bottom: y });
+    labels.addLine(x, frame.top, x, low);
+    return { x, text, y };
+}
+
+/**
+ * The deadline as a line in the window: all that arrives at it.
+ * @param {CurveState} state
+ * @param {import("tdsp/axes.js").Frame} frame
+ */
+export function deadlineLine(state, frame) {
+    const a = state.deadline;
+    if (a === null || !Number.isFinite(a)) return null;
+    const at = (departure) => placeOf(state, frame, departure, a - departure);
+    if (state.mode === "arrival") return a < frame.yLow || a > frame.yHigh ? null : { from: at(frame.xLow), to: at(frame.xHigh) };
+    const low = Math.max(frame.xLow, a - frame.yHigh), high = Math.min(frame.xHigh, a - frame.yLow);
+    return low < high ? { from: at(low), to: at(high) } : null;
+}
+
+/** @param {CurveState} state @param {Labels} labels */
+function placeDeadline(state, frame, labels) {
+    const line = deadlineLine(state, frame), style = { size: TEXT, bold: true, colour: state.palette.ink, halo: state.palette.paper };
+    if (!line) return null;
+    labels.addLine(line.from.x, line.from.y, line.to.x, line.to.y);
+    const leave = state.leaveBy === null ? null : placeOf(state, frame, state.leaveBy, state.travel(state.leaveBy));
+    if (leave) labels.addMark(leave.x, leave.y, 8);
+    if (leave) labels.place(leave.x, leave.y, 11, -Math.PI / 6, `leave by ${withUnit(state.leaveBy, state.units.time, 6)}`, style);
+    const words = leave ? "arrive by" : "too early: arrive by";
+    labels.place(line.from.x + 6, line.from.y + 14, 8, 0, `${words} ${withUnit(state.deadline, state.units.time, 6)}`, { ...style, bold: false });
+    return { ...line, leave };
+}
+
+/**
+ * @param {CurveState} state
+ * @param {CurveArrangement} arrangement
+ * @param {Pen["width"]} measure
+ */
+export function layoutCurve(state, { frame }, measure) {
+    const labels = new Labels({ left: frame.left, top: frame.top, right: frame.left + frame.width, bottom: frame.top + frame.height }, measure);
+    addCurve(state, frame, labels);
+    const last = placeLast(state, frame, labels, measure);
+    const deadline = placeDeadline(state, frame, labels);
+    placeJumps(state, frame, labels);
+    return { labels, placed: [...labels.placed], last, deadline };
+}
+
+/** @typedef {ReturnType<typeof layoutCurve>} CurveLayout */

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+/**
+ * The curve as a picture, for any pen. In two parts: the ground (grid, band, curve, jumps, last departure, deadline, axes) changes with
+ * the scene and the table only; the departure and what is pointed at move.
+ */
+import { drawAxes, drawGrid, frameX, frameY } from "tdsp/axes.js";
+import { valueOf } from "tdsp/curve_data.js";
+import { placeOf } from "tdsp/curve_layout.js";
+import { drawLegend } from "tdsp/draw_legend.js";
+import { TEXT } from "tdsp/draw_text.js";
+import { withUnit } from "tdsp/numbers.js";
+
+/** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
+/** @typedef {import("tdsp/curve_layout.js").CurveArrangement} CurveArrangement */
+/** @typedef {import("tdsp/curve_layout.js").CurveLayout} CurveLayout */
+
+/**
+ * All that a picture of a curve shows.
+ * @typedef {object} CurveState
+ * @property {import("tdsp/curve_data.js").Curve} curve
+ * @property {import("tdsp/curve_data.js").Rows|null} rows
+ * @property {import("tdsp/curve_data.js").Jump[]} jumps
+ * @property {import("tdsp/curve_data.js").Last|null} last
+ * @property {(departure: number) => number} travel the travel time of a departure, NaN where there is none
+ * @property {number|null} departure
+ * @property {number|null} hover
+ * @property {number|null} deadline an arrival
+ * @property {number|null} leaveBy the latest departure that makes it
+ * @property {"travel"|"arrival"} mode
+ * @property {{time: string}} units
+ * @property {ReturnType<typeof import("tdsp/curve_data.js").curveWindow>} window
+ * @property {import("tdsp/palette.js").Palette} palette
+ * @property {string} message where there is no curve: why
+ * @property {boolean} legend
+ * @property {number} head pixels kept free above, for a title
+ * @property {boolean} grabbed the slider is held
+ * @property {boolean} focused the slider has the keyboard
+ */
+
+const MARKED = 0.012; // of the window's height: smaller jumps get no ends
+const FINE = 0.2; // pixels that need not be told apart
+const LAST = Object.freeze([5, 4]);
+const DEADLINE = Object.freeze([9, 3, 2, 3]);
+const HOVER = Object.freeze([7, 5]);
+const KNOB = 8.5;
+
+/** Lines between points that can be told apart. */
+class Stairs {
+    /** @param {Pen} pen begun */
+    constructor(pen) {
+        this.pen = pen;
+        this.down = false;
+        this.x = this.y = 0;
+    }
+
+    to(x, y) {
+        if (this.down && Math.abs(x - this.x) < FINE && Math.abs(y - this.y) < FINE) return;
+        if (this.down) this.pen.line(x, y);
+        else this.pen.move(x, y);
+        this.down = true;
+        [this.x, this.y] = [x, y];
+    }
+
+    lift() {
+        this.down = false;
+    }
+}
+
+/** A step of the staircase: in T it is level, in A it rises with the departure. @param {CurveState} state @param {Stairs} stairs */
+function step(state, frame, stairs, from, until, travel) {
+    stairs.to(frameX(frame, from), frameY(frame, valueOf(state.mode, from, travel)));
+    stairs.to(frameX(frame, until), frameY(frame, valueOf(state.mode, until, travel)));
+}
+
+/** @param {CurveState} state @param {Stairs} stairs */
+function traceUpper(state, frame, stairs) {
+    const { departures, left } = state.rows;
+    for (let i = 0; i < departures.length; i++) step(state, frame, stairs, i > 0 ? departures[i - 1] : departures[0], departures[i], left[i]);
+}
+
+/** From the last departure back to the first. @param {CurveState} state @param {Stairs} stairs */
+function traceLower(state, frame, stairs) {
+    const { departures, right, left } = state.rows;
+    for (let i = departures.length - 1; i > 0; i--) step(state, frame, stairs, departures[i], departures[i - 1], Math.min(right[i - 1], left[i]));
+}
+
+/** What the table certifies. @param {Pen} pen @param {CurveState} state */
+function drawBand(pen, state, frame) {
+    if (!state.rows || state.rows.departures.length === 0) return;
+    pen.part("certified");
+    pen.begin();
+    const stairs = new Stairs(pen);
+    traceUpper(state, frame, stairs);
+    traceLower(state, frame, stairs);
+    pen.close();
+    pen.fill(state.palette.tint);
+    pen.begin();
+    stairs.lift();
+    traceUpper(state, frame, stairs);
+    pen.stroke(state.palette.ahead, state.curve.count > 0 ? 1.2 : 1.8);
+}
+
+/** @param {Pen} pen @param {CurveState} state */
+function drawCurve(pen, state, frame) {
+    const { curve } = state, stairs = new Stairs(pen);
+    if (curve.count === 0) return;
+    pen.part("curve");
+    pen.begin();
+    for (let i = 0; i < curve.count; i++) {
+        if (curve.starts[i]) stairs.lift();
+        const at = placeOf(state, frame, curve.departure[i], curve.travel[i]);
+        stairs.to(at.x, at.y);
+    }
+    pen.stroke(state.palette.path, 2.4);
+}
+
+/** @param {Pen} pen */
+function drawJumpEnd(pen, palette, at, filled) {
+    pen.begin();
+    pen.disc(at.x, at.y, 3.8);
+    pen.fill(filled ? palette.alarm : palette.paper);
+    pen.stroke(palette.alarm, 1.6);
+}
+
+/** T is continuous from the left: the lower end belongs to the curve, the upper one does not. @param {Pen} pen @param {CurveState} state */
+function drawJumps(pen, state, frame) {
+    if (state.jumps.length === 0) return;
+    const ends = state.jumps.map((jump) => [placeOf(state, frame, jump.departure, jump.travelBefore), placeOf(state, frame, jump.departure, jump.travelAfter)]);
+    pen.part("jumps");
+    pen.begin();
+    for (const [low, high] of ends) {
+        pen.move(low.x, low.y);
+        pen.line(high.x, high.y);
+    }
+    pen.stroke(state.palette.alarm, 1.6);
+    for (const [low, high] of ends) {
+        if (low.y - high.y < MARKED * frame.height) continue;
+        drawJumpEnd(pen, state.palette, low, true);
+        drawJumpEnd(pen, state.palette, high, false);
+    }
+}
+
+/** @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
+function drawLast(pen, state, frame, { last }) {
+    if (!last) return;
+    pen.part("last-departure");
+    pen.begin();
+    pen.move(last.x, frame.top);
+    pen.line(last.x, frame.top + frame.height);
+    pen.stroke(state.palette.alarm, 1.4, LAST);
+    pen.textUpwards(last.x - 7, last.y, last.text, { size: TEXT, colour: state.palette.alarmText, halo: state.palette.paper });
+}
+
+/** @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
+function drawDeadline(pen, state, { deadline }) {
+    if (!deadline) return;
+    const { palette } = state, { from, to, leave } = deadline;
+    pen.part("deadline");
+    pen.begin();
+    pen.move(from.x, from.y);
+    pen.line(to.x, to.y);
+    pen.stroke(palette.paper, 4);
+    pen.stroke(palette.ink, 1.6, DEADLINE);
+    if (!leave) return;
+    pen.begin();
+    pen.move(leave.x, leave.y - 7);
+    pen.line(leave.x + 7, leave.y);
+    pen.line(leave.x, leave.y + 7);
+    pen.line(leave.x - 7, leave.y);
+    pen.close();
+    pen.union(palette.ink, palette.paper, 4);
+}
+
+/** @param {Pen} pen @param {import("tdsp/palette.js").Palette} palette @param {string} kind */
+function drawSample(pen, palette, kind, x, y) {
+    pen.begin();
+    if (kind === "band") {
+        pen.rect(x, y - 6, 24, 12);
+        pen.fill(palette.tint);
+        pen.begin();
+    }
+    const low = kind === "curve" ? y : y - 6;
+    pen.move(kind === "jump" ? x + 5 : x, kind === "jump" ? y + 6 : low);
+    pen.line(kind === "jump" ? x + 5 : x + 24, low);
+    pen.stroke(kind === "jump" ? palette.alarm : kind === "band" ? palette.ahead : palette.path, kind === "curve" ? 2.4 : 1.6);
+    if (kind !== "jump") return;
+    drawJumpEnd(pen, palette, { x: x + 5, y: y + 6 }, true);
+    drawJumpEnd(pen, palette, { x: x + 5, y: y - 6 }, false);
+}
+
+/** @param {Pen} pen @param {CurveState} state @param {CurveArrangement} arrangement @param {CurveLayout} layout */
+export function drawCurveGround(pen, state, arrangement, layout) {
+    const { frame, ticks, axes, titled } = arrangement, { palette } = state;
+    drawGrid(pen, frame, ticks, palette);
+    pen.clip(frame.left, frame.top, frame.width, frame.height);
+    drawBand(pen, state, frame);
+    drawLast(pen, state, frame, layout);
+    drawDeadline(pen, state, { ...layout, deadline: layout.deadline && { ...layout.deadline, leave: null } });
+    drawCurve(pen, state, frame);
+    drawJumps(pen, state, frame);
+    drawDeadline(pen, state, layout);
+    drawMessage(pen, state, frame);
+    pen.unclip();
+    drawAxes(pen, frame, ticks, { x: axes.x, y: titled ? axes.y : null }, palette);
+    drawLegend(pen, arrangement.legend, palette.ink, frame.left, arrangement.legendTop, (kind, x, y) => drawSample(pen, palette, kind, x, y));
+}
+
+/** @param {Pen} pen @param {CurveState} state */
+function drawMessage(pen, state, frame) {
+    if (!state.message || state.curve.count > 0) return;
+    pen.text(frame.left + frame.width / 2, frame.top + frame.height / 2, state.message, { size: TEXT, colour: state.palette.ink, across: 0.5, up: 0.5, halo: state.palette.paper });
+}
+
+/** "leave at 52.5 s: 4498 s on the way", or when it arrives. @param {CurveState} state */
+export function momentText(state, departure, travel) {
+    const unit = state.units.time, leave = withUnit(departure, unit, 6);
+    if (Number.isNaN(travel)) return `leave at ${leave}: no way`;
+    return state.mode === "arrival" ? `leave at ${leave}, arrive at ${withUnit(departure + travel, unit, 6)}` : `leave at ${leave}: takes ${withUnit(travel, unit, 6)}`;
+}
+
+/** A place on the curve. @param {Pen} pen @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
+function drawPlace(pen, state, at, radius, colour, labels) {
+    if (Number.isNaN(at.y)) return;
+    pen.begin();
+    pen.disc(at.x, at.y, radius);
+    pen.union(colour, state.palette.paper, 4);
+    labels.addMark(at.x, at.y, 6);
+}
+
+/** The chosen departure: a line, and its place on the curve. @param {Pen} pen @param {CurveState} state */
+function drawDepartureLine(pen, state, frame, labels) {
+    const { departure, palette } = state;
+    if (departure === null) return;
+    const at = placeOf(state, frame, departure, state.travel(departure));
+    pen.part("departure");
+    pen.begin();
+    pen.move(at.x, frame.top + frame.height);
+    pen.line(at.x, Number.isNaN(at.y) ? frame.top : Math.max(at.y, frame.top));
+    pen.stroke(palette.paper, 4);
+    pen.stroke(palette.path, 1.6);
+    drawPlace(pen, state, at, 5.5, palette.path, labels);
+}
+
+/** What is pointed at: a dashed crosshair, as its path in the scene is dashed. @param {Pen} pen @param {CurveState} state */
+function drawHoverLines(pen, state, frame, labels) {
+    const { hover, palette } = state;
+    if (hover === null) return;
+    const at = placeOf(state, frame, hover, state.travel(hover));
+    pen.part("pointed-at");
+    pen.begin();
+    pen.move(at.x, frame.top);
+    pen.line(at.x, frame.top + frame.height);
+    if (!Number.isNaN(at.y)) {
+        pen.move(frame.left, at.y);
+        pen.line(at.x, at.y);
+    }
+    pen.stroke(palette.other, 1.2, HOVER);
+    drawPlace(pen, state, at, 4.5, palette.other, labels);
+}
+
+/** What a departure means, beside its place. @param {Pen} pen @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
+function writeMoment(pen, state, frame, labels, departure, style) {
+    const travel = state.travel(departure), at = placeOf(state, frame, departure, travel);
+    const label = labels.place(at.x, Number.isNaN(at.y) ? frame.top + 30 : at.y, 11, -Math.PI / 2, momentText(state, departure, travel), style);
+    if (label) pen.text(label.x, label.y, label.text, label.style);
+}
+
+/** The knob that the slider is held by, on the axis. @param {Pen} pen @param {CurveState} state */
+function drawKnob(pen, state, frame) {
+    if (state.departure === null) return;
+    const { palette } = state, x = Math.min(frame.left + frame.width, frameX(frame, state.departure)), y = frame.top + frame.height;
+    pen.part("slider");
+    pen.begin();
+    pen.disc(x, y, KNOB + (state.grabbed ? 1.5 : 0));
+    pen.union(palette.path, palette.paper, 5);
+    pen.begin();
+    for (const dx of [-3, 0, 3]) {
+        pen.move(x + dx, y - 3.5);
+        pen.line(x + dx, y + 3.5);
+    }
+    pen.stroke(palette.paper, 1.2);
+    if (!state.focused) return;
+    pen.begin();
+    pen.disc(x, y, KNOB + 5);
+    pen.stroke(palette.focus, 2);
+}
+
+/** What moves. @param {Pen} pen @param {CurveState} state @param {CurveArrangement} arrangement @param {CurveLayout} layout */
+export function drawCurveLive(pen, state, { frame }, layout) {
+    const labels = layout.labels.copy();
+    pen.clip(frame.left, frame.top, frame.width, frame.height);
+    drawHoverLines(pen, state, frame, labels);
+    drawDepartureLine(pen, state, frame, labels);
+    pen.part("labels");
+    for (const label of layout.placed) pen.text(label.x, label.y, label.text, label.style);
+    if (state.departure !== null) writeMoment(pen, state, frame, labels, state.departure, { size: TEXT, bold: true, colour: state.palette.pathText, halo: state.palette.paper });
+    if (state.hover !== null) writeMoment(pen, state, frame, labels, state.hover, { size: TEXT, colour: state.palette.otherText, halo: state.palette.paper });
+    pen.unclip();
+    drawKnob(pen, state, frame);
+}

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+/** The legend of a scene's picture. */
+import { withUnit } from "tdsp/numbers.js";
+import { drawGap } from "tdsp/scene_marks.js";
+
+/** @typedef {import("tdsp/scene_picture.js").SceneState} SceneState */
+/** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
+/** @typedef {import("tdsp/draw_legend.js").LegendItem} LegendItem */
+
+const RIDDEN = Object.freeze([3, 3]);
+const OTHER = Object.freeze([7, 5]);
+
+/** @param {SceneState} state @param {number} every time between ticks of the path, 0 without @returns {LegendItem[]} */
+export function legendOf(state, every) {
+    const items = [];
+    if (state.count > 0) items.push({ kind: "now", wide: 14, text: state.still ? `discs at ${withUnit(state.time, state.units.time, 5)}` : "discs now" });
+    if (state.count > 0 && state.later) items.push({ kind: "later", wide: 14, text: "at arrival" });
+    if (state.legs.length > 0) items.push({ kind: "path", wide: 24, text: every > 0 ? `path, a tick every ${withUnit(every, state.units.time)}` : "path" });
+    if (state.legs.some((leg) => leg.ride)) items.push({ kind: "ridden", wide: 24, text: "ridden disc, as the ride begins" });
+    if (state.jumps.length > 0) items.push({ kind: "gap", wide: 22, text: "gap that closes" });
+    if (state.ghost.length > 0) items.push({ kind: "other", wide: 24, text: "path of the departure pointed at" });
+    return items;
+}
+
+/** @param {Pen} pen @param {import("tdsp/palette.js").Palette} palette @param {string} kind */
+export function drawSample(pen, palette, kind, x, y) {
+    if (kind === "gap") {
+        drawGap(pen, palette, x + 11, y, 0, false);
+        return;
+    }
+    pen.begin();
+    if (kind === "now" || kind === "later") {
+        pen.disc(x + 7, y, 6);
+        pen.fill(kind === "now" ? palette.disc : palette.later);
+        pen.stroke(kind === "now" ? palette.discEdge : palette.laterEdge, 1);
+        return;
+    }
+    pen.move(x, y);
+    pen.line(x + 24, y);
+    if (kind === "path") pen.stroke(palette.path, 3);
+    if (kind === "ridden") pen.stroke(palette.path, 1, RIDDEN);
+    if (kind === "other") pen.stroke(palette.other, 2, OTHER);
+}

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: MIT
+/**
+ * The scene on a canvas: discs growing, the robot on its path, gaps that close; panned, zoomed, and its things dragged. What it shows is
+ * told to it (show()); what a person does to it is told by the callbacks, and nothing changes until show() says so, but for the view
+ * itself, which is the view's own.
+ */
+import { light } from "tdsp/palette.js";
+import { Layers } from "tdsp/draw_layers.js";
+import { guessedWidth } from "tdsp/draw_text.js";
+import { SvgPen } from "tdsp/draw_svg.js";
+import { centersOf } from "tdsp/scene_discs.js";
+import { SceneGestures } from "tdsp/scene_gestures.js";
+import { hit, sameTarget } from "tdsp/scene_hit.js";
+import { layoutScene } from "tdsp/scene_layout.js";
+import { prepareLegs } from "tdsp/scene_legs.js";
+import { arrangeScene, drawGround, drawLive } from "tdsp/scene_picture.js";
+import { Projection, sceneExtent } from "tdsp/scene_projection.js";
+
+/** @typedef {import("tdsp/scene_hit.js").Target} Target */
+/** @typedef {import("tdsp/scene_picture.js").SceneState} SceneState */
+/** @typedef {import("tdsp/palette.js").Palette} Palette */
+
+/**
+ * What a view needs to know of a scene: the core's Scene has it all.
+ * @typedef {object} SceneLike
+ * @property {SceneState["description"] & {units?: {length?: string, time?: string}}} description
+ * @property {(time: number, out: Float64Array) => any} radii radii of all discs at a time, the robot's not included
+ */
+
+/** @typedef {{legs: import("tdsp/scene_legs.js").LegJson[], departure?: number, arrival?: number|null}} PathLike */
+
+/**
+ * @typedef {object} Shown each left out stays as it was; null is nothing
+ * @property {SceneLike|null} scene
+ * @property {PathLike|null} path the path of the departure that is chosen
+ * @property {PathLike|null} ghost of the departure that is pointed at
+ * @property {SceneState["jumps"]} jumps whose gaps are marked
+ * @property {number} time that the picture is of
+ * @property {Target|null} selected
+ * @property {Palette} palette
+ * @property {boolean} legend below the window (default: shown)
+ */
+
+/**
+ * @typedef {object} Drag
+ * @property {"source"|"destination"|"disc"|"rim"} what
+ * @property {number} index of the disc; -1 for an end
+ * @property {[number, number]} place where it is dragged to: the end, the disc's centre (of a rim: where the centre stays)
+ * @property {number} [radius] rim: the radius at time 0 that has the rim at the pointer now
+ */
+
+/**
+ * @typedef {object} SceneOptions
+ * @property {Palette} [palette]
+ * @property {(target: Target|null, place: [number, number]) => void} [onHover] place: of the pointer, in the plane
+ * @property {(drag: Drag) => void} [onDrag]
+ * @property {(drag: Drag) => void} [onDragEnd] the last one again
+ * @property {(target: Target|null) => void} [onSelect]
+ */
+
+const CURSORS = { source: "grab", destination: "grab", disc: "move", rim: "nwse-resize" };
+const STEP = 1.25;
+
+/** The view of a scene: {@link Shown}, {@link SceneOptions}. */
+export class SceneView {
+    /** @param {HTMLCanvasElement} canvas sized by CSS @param {SceneOptions} [options] */
+    constructor(canvas, options = {}) {
+        this.options = options;
+        this.canvas = canvas;
+        /** How long the last frame took to draw, in ms. */
+        this.lastFrameMs = 0;
+        this.state = blankState(options.palette ?? light);
+        this.dirty = { ground: true, live: true, fit: true };
+        this.layers = new Layers(canvas, () => this.draw());
+        this.measure = this.layers.pen.width.bind(this.layers.pen);
+        this.gestures = new SceneGestures(canvas, this.intentions());
+    }
+
+    /**
+     * Show these; what is left out stays. Draws with the next frame; draw() draws at once.
+     * @param {Partial<Shown>} shown
+     */
+    show(shown) {
+        const { state } = this;
+        if (shown.scene !== undefined) this.takeScene(shown.scene);
+        if (shown.path !== undefined) this.takePath(shown.path);
+        if (shown.ghost !== undefined) state.ghost = prepareLegs(shown.ghost?.legs ?? [], state.description.robot.speed);
+        if (shown.jumps !== undefined) state.jumps = shown.jumps ?? [];
+        if (shown.palette !== undefined) state.palette = shown.palette;
+        if (shown.legend !== undefined) state.legend = shown.legend;
+        if (shown.time !== undefined) state.time = shown.time;
+        if (shown.selected !== undefined) state.selected = shown.selected;
+        const still = ["time", "selected"];
+        if (Object.keys(shown).some((key) => !still.includes(key))) this.dirty.ground = true;
+        this.change();
+    }
+
+    /** @param {SceneLike|null} scene */
+    takeScene(scene) {
+        const { state } = this, description = scene?.description ?? BLANK;
+        this.scene = scene;
+        state.description = description;
+        state.count = description.discs.length;
+        state.centers = centersOf(description.discs);
+        if (state.now.length !== state.count) state.now = new Float64Array(state.count);
+        state.units = { length: description.units?.length ?? "", time: description.units?.time ?? "" };
+        state.later = null;
+        if (state.hover && state.hover.index >= state.count) state.hover = null;
+        this.radiiTime = NaN;
+        this.takePath(this.path ?? null);
+    }
+
+    /** @param {PathLike|null} path */
+    takePath(path) {
+        const { state } = this;
+        this.path = path;
+        state.legs = prepareLegs(path?.legs ?? [], state.description.robot.speed);
+        const arrival = path?.arrival ?? state.legs.at(-1)?.end;
+        state.later = this.scene && Number.isFinite(arrival) ? this.radiiAt(arrival, new Float64Array(state.count)) : null;
+    }
+
+    /** Radii as they are drawn: a robot that has a radius of its own makes every disc larger by it. */
+    radiiAt(time, out) {
+        if (this.scene) this.scene.radii(time, out);
+        const inflated = this.state.description.robot.radius ?? 0;
+        if (inflated > 0) for (let i = 0; i < out.length; i++) out[i] += inflated;
+        return out;
+    }
+
+    change() {
+        this.dirty.live = true;
+        this.layers.ask();
+    }
+
+    /** Another view of the same. */
+    changeView() {
+        this.dirty.ground = true;
+        this.change();
+    }
+
+    /** Draw now, if anything has changed since the last time. */
+    draw() {
+        const began = performance.now();
+        if (this.layers.fitSize()) this.dirty.ground = true;
+        if (this.layers.width === 0 || !(this.dirty.ground || this.dirty.live)) return;
+        if (this.dirty.fit) this.fitNow();
+        this.updateRadii();
+        if (this.dirty.ground) this.drawKept();
+        drawLive(this.layers.copyKept(), this.state);
+        this.dirty.ground = this.dirty.live = false;
+        this.lastFrameMs = performance.now() - began;
+    }
+
+    updateRadii() {
+        const { state } = this;
+        if (this.radiiTime !== state.time) this.radiiAt(state.time, state.now);
+        this.radiiTime = state.time;
+    }
+
+    drawKept() {
+        const { state, layers } = this;
+        this.arrangement = arrangeScene(state, layers.width, layers.height, this.measure);
+        state.layout = layoutScene(state, this.measure);
+        this.arrangement = arrangeScene(state, layers.width, layers.height, this.measure);
+        drawGround(layers.blankKept(state.palette.paper), state, this.arrangement);
+    }
+
+    /** Show the whole journey, and go on doing so until a person moves the view. */
+    fit() {
+        this.dirty.fit = true;
+        this.changeView();
+    }
+
+    fitNow() {
+        const { state, layers } = this, { description } = state;
+        const radii = this.radiiAt(this.path?.departure ?? 0, new Float64Array(state.count));
+        const extent = sceneExtent(description, radii, this.path?.legs ?? []);
+        // Numbers on the axes decide how much room the window has, and the window which numbers those are.
+        for (let i = 0; i < 2; i++) {
+            arrangeScene(state, layers.width, layers.height, this.measure);
+            state.projection.fit(extent);
+        }
+    }
+
+    /**
+     * Closer by `factor` about the middle, or about a pixel.
+     * @param {number} [factor]
+     * @param {number} [x]
+     * @param {number} [y]
+     */
+    zoom(factor = STEP, x, y) {
+        const { projection } = this.state;
+        this.dirty.fit = false;
+        projection.zoomAt(x ?? projection.left + projection.width / 2, y ?? projection.top + projection.height / 2, factor);
+        this.changeView();
+    }
+
+    /** Move what is seen by so many pixels. @param {number} dx @param {number} dy */
+    pan(dx, dy) {
+        this.dirty.fit = false;
+        this.state.projection.pan(dx, dy);
+        this.changeView();
+    }
+
+    /** The view itself, for links: what is in the middle, and pixels for a unit of length; null while it fits the journey. */
+    get view() {
+        const { centerX, centerY, scale } = this.state.projection;
+        return this.dirty.fit ? null : { x: centerX, y: centerY, scale };
+    }
+
+    set view(view) {
+        this.dirty.fit = !view;
+        if (view) Object.assign(this.state.projection, { centerX: view.x, centerY: view.y, scale: view.scale });
+        this.changeView();
+    }
+
+    /** How far one pixel is in the plane: arrow keys move the selected thing by multiples of it. */
+    get pixel() {
+        return 1 / this.state.projection.scale;
+    }
+
+    /** Where a pixel of the canvas is in the plane. @param {number} x @param {number} y @returns {[number, number]} */
+    placeAt(x, y) {
+        return [this.state.projection.worldX(x), this.state.projection.worldY(y)];
+    }
+
+    /**
+     * What is seen, as an SVG file.
+     * @param {{width?: number, height?: number, title?: string, description?: string, palette?: Palette}} [page]
+     */
+    toSVG(page = {}) {
+        const width = page.width ?? this.layers.width, height = page.height ?? this.layers.height;
+        return sceneSvg(this.state, { ...page, width, height }, this.measure);
+    }
+
+    /** No longer of use: stop listening. */
+    release() {
+        this.gestures.release();
+        this.layers.release();
+    }
+
+    /** @returns {import("tdsp/scene_gestures.js").Intentions} */
+    intentions() {
+        const { state } = this;
+        return {
+            hit: (x, y, touch) => this.targetAt(x, y, touch),
+            isSelected: (target) => state.selected?.index === target.index,
+            anchor: (target) => this.anchor(target),
+            hover: (target, x, y) => this.hover(target, x, y),
+            select: (target) => this.options.onSelect?.(target?.what === "rim" ? { what: "disc", index: target.index } : target),
+            drag: (target, x, y) => this.drag(target, x, y),
+            dragEnd: () => this.options.onDragEnd?.(this.dragged),
+            pan: (dx, dy) => this.pan(dx, dy),
+            zoom: (x, y, factor) => this.zoom(factor, x, y),
+            fit: () => this.fit(),
+        };
+    }
+
+    /** @returns {Target|null} what is under a pixel */
+    targetAt(x, y, touch = false) {
+        const { projection, description, centers, now, count, selected } = this.state;
+        if (!this.scene || x < projection.left || y < projection.top || x > projection.left + projection.width || y > projection.top + projection.height) return null;
+        const ground = { source: description.source, destination: description.destination, centers, radii: now, count, selected: selected?.index ?? -1 };
+        return hit(projection, ground, x, y, touch);
+    }
+
+    /** @param {Target} target @returns {[number, number]} */
+    anchor({ what, index }) {
+        const { projection, description, centers } = this.state;
+        const [x, y] = index < 0 ? description[what] : [centers.x[index], centers.y[index]];
+        return [projection.x(x), projection.y(y)];
+    }
+
+    hover(target, x, y) {
+        this.canvas.style.cursor = target ? CURSORS[target.what] : "";
+        if (target || this.state.hover) this.options.onHover?.(target, this.placeAt(x, y));
+        if (sameTarget(target, this.state.hover)) return;
+        this.state.hover = target;
+        this.change();
+    }
+
+    drag(target, x, y) {
+        const { centers, now, description } = this.state, place = this.placeAt(x, y);
+        /** @type {Drag} */
+        this.dragged = { what: target.what, index: target.index, place };
+        if (target.what === "rim") {
+            const i = target.index, center = /** @type {[number, number]} */ ([centers.x[i], centers.y[i]]);
+            const wanted = Math.hypot(place[0] - center[0], place[1] - center[1]);
+            Object.assign(this.dragged, { place: center, radius: Math.max(0, description.discs[i].radius + wanted - now[i]) });
+        }
+        this.options.onDrag?.(this.dragged);
+    }
+}
+
+/** @type {any} */
+const BLANK = Object.freeze({ robot: { speed: 1 }, source: [0, 0], destination: [1, 0], discs: [] });
+
+/** @param {Palette} palette @returns {SceneState} */
+function blankState(palette) {
+    return {
+        description: BLANK, count: 0, centers: centersOf([]), now: new Float64Array(0), later: null, legs: [], ghost: [], jumps: [], time: 0,
+        units: { length: "", time: "" }, selected: null, hover: null, palette, projection: new Projection(), layout: null, still: false, legend: true, head: 0,
+    };
+}
+
+/**
+ * A scene as an SVG file, without a browser where `measure` is left out.
+ * @param {SceneState} state
+ * @param {{width: number, height: number, title?: string, description?: string, palette?: Palette}} page
+ * @param {import("tdsp/draw_canvas.js").Pen["width"]} [measure]
+ */
+export function sceneSvg(state, page, measure = guessedWidth) {
+    const pen = new SvgPen(measure), title = page.title ?? state.description.name ?? "Scene";
+    const projection = Object.assign(new Projection(), state.projection), middle = { width: projection.width, height: projection.height };
+    /** @type {SceneState} */
+    const still = { ...state, projection, palette: page.palette ?? state.palette, still: true, hover: null, selected: null, head: 58 };
+    arrangeScene(still, page.width, page.height, measure);
+    projection.scale *= Math.min(projection.width / middle.width, projection.height / middle.height);
+    still.layout = layoutScene(still, measure);
+    const arrangement = arrangeScene(still, page.width, page.height, measure);
+    const { palette } = still;
+    pen.part("title");
+    pen.text(projection.left, 30, title, { size: 18, bold: true, colour: palette.ink });
+    pen.text(projection.left, 50, page.description ?? "", { size: 13, colour: palette.grey });
+    drawGround(pen, still, arrangement);
+    drawLive(pen, still);
+    return pen.document({ width: page.width, height: page.height, title, description: page.description ?? title, paper: palette.paper });
+}

@@ -240,4 +240,5 @@ def a_table_is_no_scene():
     fails(3, ["t.tdsp", "scene is needed"], "verify", "t.tdsp", "t.tdsp")
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -6,6 +6,7 @@
  * Whatever is wrong is a CoreError with a sentence, the library's stable status and, in a description, the place.
  */
 import { CoreError } from "./core_error.js";
+import { parseJson } from "./core_json.js";
 import { Scene } from "./core_scene.js";
 import { Table } from "./core_table.js";
 import { writeLeg } from "./core_legs.js";
@@ -26,6 +27,15 @@ export class Core {
     constructor(wasm) {
         this.#wasm = wasm;
         this.version = wasm.string(wasm.call("version"));
+    }
+
+    /**
+     * The description in a scene file's text. Strict, where JSON.parse() is not: two equal keys, or a number too large for a double, are refused with their place.
+     * @param {string | Uint8Array} source
+     * @returns {Description} as far as it is JSON: scene() checks the rest
+     */
+    parse(source) {
+        return parseJson(source);
     }
 
     /**

@@ -28,6 +28,13 @@ static inline double any_double(void)
     return x;
 }
 
+static inline float any_float(void)
+{
+    float x;
+    any_bytes(&x, sizeof x);
+    return x;
+}
+
 static inline int any_bit(void)
 {
     return Frama_C_interval(0, 1);

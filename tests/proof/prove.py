@@ -5,8 +5,8 @@
     prove.py OUT LENGTHS [--machine M]... [--jobs N]     LENGTHS: "0-400" or "96,400"; prints "ok ..." or "not ok ..." lines
     prove.py OUT --self-test                             that each of BROKEN, a reader with one check less, raises an alarm
 
-Each length is an analysis of its own (tests/proof/table.c). One holds when Eva finished, raised no alarm, left no property unknown or invalid, and
-reached everything in the functions it entered.
+Each length is an analysis for tables that are opened, and another for those that are opened again (tests/proof/table.c). One holds when Eva finished,
+raised no alarm, left no property unknown or invalid, and reached everything in the functions it entered.
 """
 import argparse
 import concurrent.futures
@@ -21,10 +21,10 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SOURCES = ["src/base/hash.c", "src/base/status.c", "src/base/text.c", "src/geom/path.c"]
 # One case of the number of rows is followed at a time; statuses are kept apart from success, since only success has results.
-SPLIT = ["tdsp_table_open", "table_open_into", "open_lengths", "open_checksums", "arrival_find_outside", "tdsp_table_find", "path_find", "tdsp_table_path"]
+SPLIT = ["tdsp_table_open", "tdsp_table_reopen", "table_open_into", "open_lengths", "open_checksums", "arrival_find_outside", "tdsp_table_find", "path_find", "tdsp_table_path"]
 SPLIT_BOTH = ["open_section", "open_sections", "open_view_placed", "open_counts_are_good"]
 STATES = {"all_tables": 300, "open_sections": 100, "open_counts_are_good": 40, "table_open_into": 40, "text_utf8_length": 40, "tdsp_table_open": 20,
-          "open_lengths": 20, "open_checksums": 20, "arrival_find_outside": 20, "open_section": 20, "text_is_utf8": 20, "check_unit": 20,
+          "tdsp_table_reopen": 20, "open_lengths": 20, "open_checksums": 20, "arrival_find_outside": 20, "open_section": 20, "text_is_utf8": 20, "check_unit": 20,
           "open_view_placed": 10, "open_and_ask": 10, "tdsp_table_find": 8, "path_find": 8, "arrival_search": 8, "tdsp_table_leg": 8,
           "tdsp_table_position": 4, "tdsp_table_path": 4}
 OPTIONS = ["-eva", "-eva-precision", "0", "-eva-no-results", "-eva-print-callstacks", "-eva-split-return-function",
@@ -33,24 +33,29 @@ OPTIONS = ["-eva", "-eva-precision", "0", "-eva-no-results", "-eva-print-callsta
            # Infinities and NaN are values like others; a pointer outside its object is an alarm even where nobody reads through it.
            "-warn-special-float", "none", "-warn-invalid-pointer"]
 
-# Off by one, or left out: (what, file, what stands there, what stands there instead, a length that shows it).
+# Each is asked about what one of these two accepts. What the second leaves unchecked is to be kept inside as it is read.
+OPENED = ["tdsp_table_open", "tdsp_table_reopen"]
+
+# Off by one, or left out: (what, file, what stands there, what stands there instead, a length that shows it, what opens).
 BROKEN = [
-    ("sections that are not held against the length", "src/table/open.c", "if (size > length || at > length - size) return 0;", "", 344),
-    ("a row after the last", "src/query/row.c", "row >= table->rows", "row > table->rows", 344),
-    ("a guide's entry that is not kept inside", "src/table/guide.h", "count >= table->length", "count > table->length", 344),
-    ("a waypoint that is not kept inside", "src/table/read.h", "at <= table->length - size ? at : 0", "at <= table->length - size + 1 ? at : 0", 344),
-    ("a time that has no cell", "src/table/guide.h", "place == place && ", "", 344),
-    ("a row without its guard in a search", "src/query/arrival.c", "start >= table->rows || ", "", 344),
-    ("a header that is read before its length is known", "src/table/open.c", "length < FORMAT_HEADER_LENGTH || ", "", 20),
+    ("sections that are not held against the length", "src/table/open.c", "if (size > length || at > length - size) return 0;", "", 344, OPENED[0]),
+    ("a row after the last", "src/query/row.c", "row >= table->rows", "row > table->rows", 344, OPENED[0]),
+    ("a guide's entry that is not kept inside", "src/table/guide.h", "count >= table->length", "count > table->length", 344, OPENED[0]),
+    ("a waypoint that is not kept inside", "src/table/read.h", "at <= table->length - size ? at : 0", "at <= table->length - size + 1 ? at : 0", 344, OPENED[0]),
+    ("a time that has no cell", "src/table/guide.h", "place == place && ", "", 344, OPENED[0]),
+    ("a row without its guard in a search", "src/query/arrival.c", "start >= table->rows || ", "", 344, OPENED[0]),
+    ("a header that is read before its length is known", "src/table/open.c", "length < FORMAT_HEADER_LENGTH || ", "", 20, OPENED[0]),
+    ("a table that is opened again without its places", "src/table/open.c",
+     "if (!open_view_placed(&view, bytes, length, header)) return TDSP_BAD_TABLE;", "open_view_placed(&view, bytes, length, header);", 344, OPENED[1]),
 ]
 
 
-def analyse(root, length, machine):
-    """Eva's report on the reader in `root`."""
+def analyse(root, length, machine, opened):
+    """Eva's report on the reader in `root`, asked about what the function `opened` accepts."""
     # Absolute paths: Frama-C takes relative ones from PWD, the preprocessor takes them from the working directory.
     root = root.resolve()
     sources = [root / s for s in SOURCES] + sorted(p for p in [*root.glob("src/table/*.c"), *root.glob("src/query/*.c")] if p.name != "matrix.c")
-    include = f"-I{root}/include -I{root}/src -I{ROOT}/tests -DLENGTH={length} -DBATCH_MIN_ROWS=2u"
+    include = f"-I{root}/include -I{root}/src -I{ROOT}/tests -DLENGTH={length} -DOPEN={opened} -DBATCH_MIN_ROWS=2u"
     line = ["frama-c", "-machdep", machine, "-cpp-extra-args=" + include, *OPTIONS, str(ROOT / "tests/proof/table.c"),
             str(ROOT / "tests/proof/libm.c"), *map(str, sources)]
     return subprocess.run(line, capture_output=True, text=True)
@@ -72,11 +77,11 @@ def problems(done):
     return found, tuple(map(int, reached.groups())) if reached else (0, 0)
 
 
-def prove(out, length, machine):
+def prove(out, length, machine, opened):
     begin = time.monotonic()
-    done = analyse(ROOT, length, machine)
+    done = analyse(ROOT, length, machine, opened)
     found, (reached, total) = problems(done)
-    (out / f"{machine}-{length}.log").write_text(done.stdout + done.stderr)
+    (out / f"{machine}-{opened}-{length}.log").write_text(done.stdout + done.stderr)
     return length, found, reached, total, time.monotonic() - begin
 
 
@@ -88,11 +93,11 @@ def lengths_of(text):
 def prove_all(out, lengths, machines, jobs):
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        work = [(m, pool.submit(prove, out, n, m)) for m in machines for n in sorted(lengths, reverse=True)]
-        for machine, future in work:
+        work = [(m, o, pool.submit(prove, out, n, m, o)) for m in machines for n in sorted(lengths, reverse=True) for o in OPENED]
+        for machine, opened, future in work:
             length, found, reached, total, seconds = future.result()
             failed += bool(found)
-            print(f"{'not ok' if found else 'ok'} {machine}: {length} bytes, {reached} of {total} statements, {seconds:.0f} s", flush=True)
+            print(f"{'not ok' if found else 'ok'} {machine}: {length} bytes by {opened}(), {reached} of {total} statements, {seconds:.0f} s", flush=True)
             for line in found[:5]:
                 print("    " + line)
     return failed
@@ -101,14 +106,14 @@ def prove_all(out, lengths, machines, jobs):
 def self_test(out):
     """Each broken reader must raise an alarm, and the right place must have been broken."""
     failed = 0
-    for what, path, right, wrong, length in BROKEN:
+    for what, path, right, wrong, length, opened in BROKEN:
         root = out / "broken"
         shutil.rmtree(root, ignore_errors=True)
         for folder in ("src", "include"):
             shutil.copytree(ROOT / folder, root / folder)
         text = (root / path).read_text()
         (root / path).write_text(text.replace(right, wrong, 1))
-        done = analyse(root, length, "x86_64") if right in text else None
+        done = analyse(root, length, "x86_64", opened) if right in text else None
         seen = bool(done) and "eva:alarm" in done.stdout
         failed += not seen
         print(f"{'ok' if seen else 'not ok'} the proof sees {what}", flush=True)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the proof of the table reader runs: every table of LENGTH bytes, and every question to it.
+ * What the proof of the table reader runs: every table of LENGTH bytes, opened by OPEN, and every question to it.
  *
  * Frama-C's Eva follows all runs of this program at once. A byte is any byte, an argument any value of its type, so an alarm-free analysis says that no
  * table of that length leads any function asked here to read or write outside its objects, to read what was never set, or
@@ -43,9 +43,11 @@ static void ask_times(const tdsp_table *table)
 {
     uint64_t row;
     double lower, upper;
+    float low, high;
     tdsp_jump jump;
     tdsp_table_find(table, any_double(), &row);
     tdsp_table_arrival(table, any_double(), any_bit() ? &lower : NULL, any_bit() ? &upper : NULL);
+    tdsp_table_arrival_float(table, any_float(), any_bit() ? &low : NULL, any_bit() ? &high : NULL);
     tdsp_table_departure(table, any_double(), any_bit() ? &lower : NULL, any_bit() ? &upper : NULL);
     tdsp_table_next_jump(table, any_double(), &jump);
     tdsp_table_previous_jump(table, any_double(), &jump);
@@ -94,10 +96,11 @@ static void ask(const tdsp_table *table)
     ask_legs();
 }
 
+/* OPEN: tdsp_table_open or tdsp_table_reopen. */
 static void open_and_ask(const unsigned char *bytes)
 {
     tdsp_table table = {0};
-    if (tdsp_table_open(&table, bytes, LENGTH) == TDSP_OK) ask(&table);
+    if (OPEN(&table, bytes, LENGTH) == TDSP_OK) ask(&table);
 }
 
 #if LENGTH >= FORMAT_AT_ROWS + 8

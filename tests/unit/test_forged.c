@@ -6,10 +6,9 @@
 
 #include <float.h>
 #include <stdlib.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "base/bytes.h"
+#include "support/brink.h"
 #include "support/golden.h"
 #include "support/matrix_walk.h"
 #include "support/walk.h"
@@ -181,29 +180,12 @@ static void a_guide_to_arrivals_that_fall_by_a_rounding_is_refused(void **state)
 }
 
 /* A table right before memory that must not be read. */
-typedef struct brink {
-    void *pages;
-    unsigned char *bytes;
-    size_t page;
-} brink;
-
-static brink brink_of(size_t which, size_t *length)
+static brink brink_table(size_t which, size_t *length)
 {
-    brink b = {.page = (size_t)sysconf(_SC_PAGESIZE)};
     unsigned char *bytes = golden_bytes(which, length);
-    assert_true(*length <= b.page);
-    assert_int_equal(posix_memalign(&b.pages, b.page, 2 * b.page), 0);
-    b.bytes = (unsigned char *)b.pages + b.page - *length;
-    memcpy(b.bytes, bytes, *length);
+    brink b = brink_of(bytes, *length);
     free(bytes);
-    assert_int_equal(mprotect((unsigned char *)b.pages + b.page, b.page, PROT_NONE), 0);
     return b;
-}
-
-static void brink_free(brink b)
-{
-    assert_int_equal(mprotect((unsigned char *)b.pages + b.page, b.page, PROT_READ | PROT_WRITE), 0);
-    free(b.pages);
 }
 
 /* 2^61 curves of 88 bytes take none, as far as 64 bits go. The table ends where the memory does: a read of the first curve would be noticed. */
@@ -211,7 +193,7 @@ static void a_number_of_curves_whose_size_wraps_around_is_refused(void **state)
 {
     (void)state;
     size_t length;
-    brink b = brink_of(SQUEEZE, &length);
+    brink b = brink_table(SQUEEZE, &length);
     bytes_put_u64(b.bytes + format_at_offset(FORMAT_CURVES) + FORMAT_FURTHER_AT_COUNT, UINT64_C(1) << 61);
     assert_int_equal(open_sealed(b.bytes, length), TDSP_BAD_TABLE);
     brink_free(b);
@@ -223,7 +205,7 @@ static void no_question_reads_behind_a_table_that_ends_where_the_memory_does(voi
     size_t length;
     tdsp_table table;
     for (size_t which = 0; which < GOLDEN_COUNT; which++) {
-        brink b = brink_of(which, &length);
+        brink b = brink_table(which, &length);
         assert_int_equal(tdsp_table_open(&table, b.bytes, length), TDSP_OK);
         assert_null(walk_table(&table));
         brink_free(b);

@@ -125,7 +125,7 @@ tdsp_status probe_order(const probe *p, const sample *low, const sample *high, s
         if (s->departure - low->departure > probe_blur(p, low)) return TDSP_BAD_ORACLE;
         *s = at(low, s->departure);
     } else if (s->lower > high->upper) {
-        if (high->departure - s->departure > probe_blur(p, high)) return TDSP_BAD_ORACLE;
+        if (high->departure - s->departure > probe_blur(p, high) && s->departure - low->departure > probe_blur(p, low)) return TDSP_BAD_ORACLE;
         *s = at(high, s->departure);
     }
     return TDSP_OK;

@@ -58,7 +58,8 @@ tdsp_status probe_roughly(probe *p, double departure, sample *out);
 
 /*
  * Bring a sample into order with those around it: TDSP_BAD_ORACLE when the value falls by more than the
- * noise. Within probe_blur() of a jump an oracle may take the wrong side; there the sample takes its neighbour's numbers.
+ * noise. Within probe_blur() of a jump an oracle may take the wrong side; there the sample takes its neighbour's numbers. Right behind a jump it may also take
+ * a way longer than that of a much later departure, whose numbers hold for every earlier one.
  */
 tdsp_status probe_order(const probe *p, const sample *low, const sample *high, sample *s);
 

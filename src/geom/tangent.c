@@ -249,7 +249,8 @@ static int leave_in_piece(const geom_tangent *tangent, double angle, double t0, 
     double fixed = tangent->bearing + tangent->to_side * j->theta - tangent->side * i->theta - angle;
     double ahead = tangent->side * fixed + equation.turn_start - equation.ridden;
     equation.fall_start = angle_positive(tangent->root * ahead);
-    if (equation.fall_start > GEOM_TURN - GEOM_ANGLE_START || equation.fall_start <= GEOM_ANGLE) {
+    double behind = GEOM_TURN - equation.fall_start;
+    if (behind < tolerance_behind(disc_radius(i, t0)) || equation.fall_start <= GEOM_ANGLE) {
         *leave = lo;
         return 1;
     }

@@ -30,6 +30,14 @@
 /* A departure point this far behind a rider who only starts there still counts as met. */
 #define GEOM_ANGLE_START 1e-11
 
+/*
+ * ... where the disc ridden is `radius` large. On one hundreds of journeys large GEOM_ANGLE_START would be far behind: there it is so much of a journey, and what an angle is solved to.
+ */
+static inline double tolerance_behind(double radius)
+{
+    return fmin(GEOM_ANGLE_START, GEOM_ANGLE + GEOM_CONTACT_LARGE / radius);
+}
+
 /* Relative slack of the closed ends of a tangent's domain, so that legs of length 0 are not lost. */
 #define GEOM_DOMAIN 1e-13
 

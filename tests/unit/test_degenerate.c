@@ -139,6 +139,15 @@ static void a_source_a_hair_off_a_boundary_is_left_both_ways_round(void **state)
     assert_near(agreed_arrival(&nearly, 0.0), 1.66797954347241, 1e-10);
 }
 
+/* A place of departure was met by who is 3e-12 of a turn past it, on this disc a thousandth of the journey: the leg from there was shorter than straight. */
+static void nobody_leaves_a_vast_disc_from_behind(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 0.0, {-37000.0, 0.0}, {37000.0, 0.0}}, 2, {{{-41046.875, 41046.875}, 23125.0, 0.125}, {{37000.0, 3.7e13}, 3.7e13, 0.0}}};
+    const degenerate without = {d.journey, 1, {d.discs[0]}};
+    assert_near(agreed_arrival(&d, 144964.88), agreed_arrival(&without, 144964.88), 3.7e13 * 0x1p-50);
+}
+
 /* R(t) = radius + rate t / (1 + t / span) */
 typedef struct slowing {
     double radius, rate, span;
@@ -227,6 +236,7 @@ int main(void)
         cmocka_unit_test(a_destination_a_hair_beyond_a_boundary_is_not_ridden_past),
         cmocka_unit_test(a_destination_on_the_boundary_of_a_pebble_is_reached),
         cmocka_unit_test(a_source_a_hair_off_a_boundary_is_left_both_ways_round),
+        cmocka_unit_test(nobody_leaves_a_vast_disc_from_behind),
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),

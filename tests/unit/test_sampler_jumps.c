@@ -194,6 +194,44 @@ static void a_latest_departure_that_lies_does_no_harm(void **state)
                 }
 }
 
+/* A toy that, in the noise behind its jump, takes a way longer than that of any later departure. */
+typedef struct detour {
+    toy sound; /* the first, for callbacks that know only it */
+    double jump, noise, longer;
+} detour;
+
+static tdsp_status detour_arrival(void *ctx, double departure, double *arrival)
+{
+    detour *d = ctx;
+    tdsp_status status = toy_oracle(&d->sound, 0).earliest_arrival(&d->sound, departure, arrival);
+    if (status == TDSP_OK && departure > d->jump && departure <= d->jump + d->noise) *arrival += d->longer;
+    return status;
+}
+
+static tdsp_status detour_build(toy_table *table)
+{
+    static const toy_piece pieces[] = {{1, 3, 0, 0}, {2, 9, 0, 0}};
+    toy flat = toy_over(pieces, 2, 0);
+    detour d = {noisy(&flat, 0), 1, 100 * ERROR, 5};
+    tdsp_oracle oracle = toy_oracle(&d.sound, 0);
+    oracle.earliest_arrival = detour_arrival;
+    tdsp_build_options options = with(TDSP_SAMPLING_ADAPTIVE, 0.01);
+    return tdsp_build(&oracle, &options, NULL, &table->bytes, &table->length, &table->report);
+}
+
+static void a_longer_way_right_behind_a_jump_costs_nothing(void **state)
+{
+    (void)state;
+    toy_table table = {.bytes = NULL};
+    assert_int_equal(detour_build(&table), TDSP_OK);
+    assert_int_equal(tdsp_table_open(&table.table, table.bytes, table.length), TDSP_OK);
+    tdsp_jump jump;
+    assert_int_equal(tdsp_table_next_jump(&table.table, 0, &jump), TDSP_OK);
+    assert_near(jump.departure, 1, 200 * ERROR);
+    assert_near(jump.after, 9, 200 * ERROR);
+    toy_table_free(&table);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -204,6 +242,7 @@ int main(void)
         cmocka_unit_test(steep_growth_right_after_a_jump_is_certified),
         cmocka_unit_test(a_jump_at_the_very_end_is_certified),
         cmocka_unit_test(a_latest_departure_that_lies_does_no_harm),
+        cmocka_unit_test(a_longer_way_right_behind_a_jump_costs_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,10 +41,15 @@ def svg_counts(name):
     return counts
 
 
+def expect_drawn(name):
+    counts = svg_counts(name)
+    expect(counts.get("path", 0) > 5 and counts.get("text", 0) > 10, f"hardly anything was drawn: {counts}")
+
+
 @test
 def a_scene_becomes_an_svg():
     done("plot", scene(), "-o", "a.svg")
-    expect(svg_counts("a.svg").get("path", 0) > 20, "hardly anything was drawn")
+    expect_drawn("a.svg")
 
 
 @test
@@ -59,8 +64,8 @@ def a_table_becomes_an_svg_and_a_png():
     table = built()
     done("plot", table, "-o", "t.svg")
     done("plot", table, "-o", "t.png", "--depart", 5)
-    expect(svg_counts("t.svg").get("path", 0) > 10, "hardly anything was drawn")
-    expect_equal(png_size("t.png"), (2000, 1200))
+    expect_drawn("t.svg")
+    expect_equal(png_size("t.png"), (1680, 1040))
 
 
 @test
@@ -103,15 +108,15 @@ def a_scene_without_a_path_is_drawn_with_a_warning():
     expect("no path" in result.err, result)
     svg_counts("a.svg")
     report = done("plot", scene(), "-o", "a.svg", "--depart", 1000, "--json").json
-    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 1000, "arrival": None, "status": "source_covered"})
+    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 1000, "arrival": None, "status": "source_covered", "seconds": None})
 
 
 @test
 def json_tells_what_was_drawn():
     report = done("plot", scene(), "-o", "a.svg", "--depart", 5, "--json").json
-    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 5, "arrival": 25, "status": "ok"})
+    expect_equal(report, {"file": "a.svg", "of": "scene", "departure": 5, "arrival": 25, "status": "ok", "seconds": None})
     report = done("plot", built(), "-o", "a.svg", "--json").json
-    expect_equal(report, {"file": "a.svg", "of": "table", "departure": None, "arrival": None, "status": "ok"})
+    expect_equal(report, {"file": "a.svg", "of": "table", "departure": None, "arrival": None, "status": "ok", "seconds": None})
 
 
 @test
@@ -131,6 +136,27 @@ def scenes_of_every_shape_are_drawn():
         done("plot", "scene.json", "-o", "a.png")
         width, height = png_size("a.png")
         expect(1000 < width < 3000 and 1000 < height < 3000, f"{name}: {width} by {height}")
+
+
+@test
+def ticks_where_adding_one_changes_nothing_come_to_an_end():
+    """A departure of 1e17 takes steps of 16: counting ticks by adding 1 to 5e16 never ended. So did axes far from the origin."""
+    nothing = scene(discs=[])
+    done("plot", nothing, "-o", "a.svg", "--depart", 1e17, timeout=20)
+    done("plot", nothing, "-o", "a.svg", "--depart", 1e17, "--animate", timeout=20)
+    done("plot", scene(source=[1e18, 0], destination=[1e18 + 256, 0], discs=[]), "-o", "a.svg", timeout=20)
+    svg_counts("a.svg")
+
+
+@test
+def names_that_are_no_text_are_drawn_none_the_less():
+    scene(name="<a> & \"b\" \u0001\uffff\u202e c")
+    for name in ("a.svg", "a.png"):
+        done("plot", "scene.json", "-o", name)
+    expect("<a> & \"b\"" in [text.text[:9] for text in xml.parse("a.svg").getroot().iter() if text.tag.endswith("}text")], "no name")
+    os.rename(built(), b"\xff&.tdsp")
+    done("plot", b"\xff&.tdsp".decode(errors="surrogateescape"), "-o", "a.svg")
+    svg_counts("a.svg")
 
 
 @test
@@ -163,7 +189,7 @@ def tables_of_every_make_are_drawn_and_told():
             report = done("info", table, "--json").json
             text = done("info", table).out
             done("plot", table, "-o", "a.svg")
-            expect(svg_counts("a.svg").get("path", 0) > 5, f"{table}: hardly anything was drawn")
+            expect_drawn("a.svg")
             known = [jump for jump in report["jumps"] if jump["first"] is not None]
             expect_equal(text.count(" close at "), len(known), f"{table}: {text}")
 

@@ -243,10 +243,9 @@ static void a_hundred_hours_and_more_are_not_counted_down(void **state)
 
 /* ------------------------------------------------------------------------------------------------------------------------- pictures */
 
-static cairo_t *paper(cairo_surface_t **surface)
+static Canvas *paper(void)
 {
-    *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, 200, 200);
-    return cairo_create(*surface);
+    return canvas_new("paper.png", 200, 200, NULL, NULL);
 }
 
 static void a_label_goes_where_there_is_room_or_nowhere(void **state)
@@ -259,14 +258,11 @@ static void a_label_goes_where_there_is_room_or_nowhere(void **state)
         int fits;
     } cases[] = {{{0, 0, 200, 200, 0, 1, 0, 1}, 100, 100, 1}, {{0, 0, 200, 200, 0, 1, 0, 1}, 100, 2, 1}, {{0, 0, 200, 200, 0, 1, 0, 1}, 100, 198, 1},
                  {{0, 0, 200, 200, 0, 1, 0, 1}, 2, 100, 1},   {{0, 0, 30, 200, 0, 1, 0, 1}, 15, 100, 0}, {{0, 0, 200, 12, 0, 1, 0, 1}, 100, 6, 0}};
-    cairo_surface_t *surface;
-    cairo_t *cr = paper(&surface);
+    g_autoptr(Canvas) canvas = paper();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         g_auto(Labels) labels = labels_new(&cases[i].frame);
-        assert_int_equal(labels_write(&labels, cr, cases[i].x, cases[i].y, 5, 0, &style, "a label"), cases[i].fits);
+        assert_int_equal(labels_write(&labels, canvas, cases[i].x, cases[i].y, 5, 0, &style, "a label"), cases[i].fits);
     }
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
 }
 
 static tdsp_leg line_of(double start, double end, double x)
@@ -279,13 +275,10 @@ static void a_path_of_no_duration_has_no_times_along_it(void **state)
     (void)state;
     const Frame frame = {0, 0, 200, 200, 0, 10, -5, 5};
     const tdsp_leg still = line_of(3, 3, 5), moving = line_of(3, 8, 1);
-    cairo_surface_t *surface;
-    cairo_t *cr = paper(&surface);
+    g_autoptr(Canvas) canvas = paper();
     g_auto(Labels) labels = labels_new(&frame);
-    assert_exact(plot_route_times(cr, &frame, &still, 1, &labels), 0);
-    assert_true(plot_route_times(cr, &frame, &moving, 1, &labels) > 0);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
+    assert_exact(plot_route_times(canvas, &frame, &(Route){&still, 1, PLOT_PATH, PLOT_PATH_TINT}, &labels), 0);
+    assert_true(plot_route_times(canvas, &frame, &(Route){&moving, 1, PLOT_PATH, PLOT_PATH_TINT}, &labels) > 0);
 }
 
 /* A path that waits has no direction at a tick, which is drawn none the less. */
@@ -295,13 +288,10 @@ static void a_path_that_stands_still_at_a_tick_is_drawn(void **state)
     const Frame frame = {0, 0, 200, 200, 0, 10, -5, 5};
     const tdsp_leg legs[] = {line_of(0, 2, 1), {.kind = TDSP_LEG_LINE, .disc = TDSP_NO_DISC, .start_time = 2, .end_time = 6, .from = {3, 0}, .to = {3, 0}},
                              line_of(6, 9, 3)};
-    cairo_surface_t *surface;
-    cairo_t *cr = paper(&surface);
+    g_autoptr(Canvas) canvas = paper();
     g_auto(Labels) labels = labels_new(&frame);
-    assert_exact(plot_route_times(cr, &frame, legs, 3, &labels), 1);
+    assert_exact(plot_route_times(canvas, &frame, &(Route){legs, 3, PLOT_PATH, PLOT_PATH_TINT}, &labels), 1);
     assert_true(labels.boxes->len > 3);
-    cairo_destroy(cr);
-    cairo_surface_destroy(surface);
 }
 
 int main(void)

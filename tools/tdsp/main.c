@@ -82,8 +82,10 @@ static const CliCommand commands[] = {
      cmd_verify},
     {"plot", "SCENE|TABLE -o FILE", "a picture, SVG or PNG",
      "Draw a scene with its fastest path, or the travel times of a table. The ending of FILE\n"
-     "decides: .svg or .png.\n\n"
+     "decides: .svg or .png. With --animate the discs of a scene grow and the robot rides its path,\n"
+     "in an SVG that browsers play, over and over; --beside shows what leaving later would cost.\n\n"
      "Examples:\n  tdsp plot examples/scenes/two-discs.json -o scene.svg --depart 5\n"
+     "  tdsp plot examples/scenes/two-discs.json -o moving.svg --depart 9.8 --beside 9.9 --jumps --animate\n"
      "  tdsp plot two-discs.tdsp -o travel-times.png",
      cmd_plot},
     {"embed", "TABLE -o FILE.c", "a table as a C array, for firmware",

@@ -15,16 +15,20 @@
 #include "plot_frame.h"
 #include "plot_jumps.h"
 #include "plot_labels.h"
+#include "plot_legend.h"
 #include "words.h"
 
-#define WIDTH 1000.0
-#define HEIGHT 600.0
+#define WIDTH 840.0
+#define HEIGHT 520.0
 #define MARGIN_LEFT 96.0
 #define MARGIN_RIGHT 36.0
 #define MARGIN_TOP 72.0
 #define MARGIN_BOTTOM 100.0
 #define FINE 0.2 /* points of the canvas that need not be told apart */
 #define OBSTACLE_EVERY 4.0
+
+/* The upper edge of the band: the travel time that is kept. */
+static const Pen edge_pen = {PLOT_PATH, 1.6, TRUE, 0, 0};
 
 typedef struct Curve {
     const tdsp_table *table;
@@ -64,81 +68,66 @@ static Frame frame_of(const Curve *curve)
 }
 
 /* A staircase being drawn: vertices that are not told apart are merged. */
-typedef struct Pen {
-    cairo_t *cr;
+typedef struct Steps {
+    Canvas *canvas;
     double x, y; /* drawn last */
-    gboolean down;
-} Pen;
+    gboolean begun;
+} Steps;
 
-static void pen_to(Pen *pen, double x, double y)
+static void steps_to(Steps *steps, double x, double y)
 {
-    if (pen->down && fabs(x - pen->x) < FINE && fabs(y - pen->y) < FINE) return;
-    cairo_line_to(pen->cr, x, y);
-    *pen = (Pen){pen->cr, x, y, TRUE};
+    if (steps->begun && fabs(x - steps->x) < FINE && fabs(y - steps->y) < FINE) return;
+    canvas_line_to(steps->canvas, x, y);
+    *steps = (Steps){steps->canvas, x, y, TRUE};
 }
 
-static void trace_upper(const Curve *curve, Pen *pen)
+static void trace_upper(const Curve *curve, Steps *steps)
 {
     const Frame *frame = &curve->frame;
     double x = frame_x(frame, 0);
     for (guint64 i = 0; i < curve->info.rows; i++) {
         tdsp_row row = row_at(curve, i);
         double y = frame_y(frame, row.left);
-        pen_to(pen, x, y);
+        steps_to(steps, x, y);
         x = frame_x(frame, row.departure);
-        pen_to(pen, x, y);
+        steps_to(steps, x, y);
     }
 }
 
 /* From the last departure back to the first. */
-static void trace_lower(const Curve *curve, Pen *pen)
+static void trace_lower(const Curve *curve, Steps *steps)
 {
     const Frame *frame = &curve->frame;
     for (guint64 i = curve->info.rows - 1; i > 0; i--) {
         tdsp_row row = row_at(curve, i), before = row_at(curve, i - 1);
         double y = frame_y(frame, before.right);
-        pen_to(pen, frame_x(frame, row.departure), y);
-        pen_to(pen, frame_x(frame, before.departure), y);
+        steps_to(steps, frame_x(frame, row.departure), y);
+        steps_to(steps, frame_x(frame, before.departure), y);
     }
 }
 
-static void draw_band(const Curve *curve, cairo_t *cr)
+static void draw_band(const Curve *curve, Canvas *canvas)
 {
-    Pen pen = {.cr = cr};
-    trace_upper(curve, &pen);
-    trace_lower(curve, &pen);
-    cairo_close_path(cr);
-    canvas_colour(cr, PLOT_PATH_TINT);
-    cairo_fill(cr);
-    pen.down = FALSE;
-    trace_upper(curve, &pen);
-    cairo_set_line_width(cr, 1.6);
-    cairo_set_line_join(cr, CAIRO_LINE_JOIN_ROUND);
-    canvas_colour(cr, PLOT_PATH);
-    cairo_stroke(cr);
+    Steps steps = {.canvas = canvas};
+    trace_upper(curve, &steps);
+    trace_lower(curve, &steps);
+    canvas_close(canvas);
+    canvas_fill(canvas, PLOT_PATH_TINT);
+    steps.begun = FALSE;
+    trace_upper(curve, &steps);
+    canvas_stroke(canvas, &edge_pen);
 }
 
-static void draw_last_departure(const Curve *curve, cairo_t *cr)
+static void draw_last_departure(const Curve *curve, Canvas *canvas)
 {
-    static const double dashes[] = {5, 4};
+    const Pen pen = {PLOT_ALARM, 1.2, FALSE, 5, 4};
     const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM, 0.5, 0, TRUE};
     double x = frame_x(&curve->frame, curve->info.last_departure);
-    cairo_move_to(cr, x, curve->frame.top);
-    cairo_line_to(cr, x, curve->frame.top + curve->frame.height);
-    cairo_set_dash(cr, dashes, G_N_ELEMENTS(dashes), 0);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_set_line_width(cr, 1.2);
-    cairo_stroke(cr);
-    cairo_set_dash(cr, NULL, 0, 0);
-    canvas_text_upwards(cr, x - 7, curve->frame.top + curve->frame.height / 2, &style,
+    canvas_move_to(canvas, x, curve->frame.top);
+    canvas_line_to(canvas, x, curve->frame.top + curve->frame.height);
+    canvas_stroke(canvas, &pen);
+    canvas_text_upwards(canvas, x - 7, curve->frame.top + curve->frame.height / 2, &style,
                         curve->info.last_reason == TDSP_HORIZON ? "horizon" : "last departure");
-}
-
-static char *with_unit(double value, const char *unit)
-{
-    char buffer[32];
-    g_ascii_formatd(buffer, sizeof buffer, "%.7g", value);
-    return *unit ? g_strdup_printf("%s %s", buffer, unit) : g_strdup(buffer);
 }
 
 /* The curve and its jumps, as far as a label should not hide them. */
@@ -160,51 +149,49 @@ static void add_obstacles(const Curve *curve, Labels *labels)
 
 static char *interval_text(const Curve *curve, double departure, double lower, double upper)
 {
-    g_autofree char *when = with_unit(departure, curve->info.time_unit);
-    g_autofree char *low = with_unit(lower - departure, "");
-    g_autofree char *high = with_unit(upper - departure, "");
-    g_autofree char *end = with_unit(upper - departure, curve->info.time_unit);
+    g_autofree char *when = frame_with_unit(departure, 7, curve->info.time_unit);
+    g_autofree char *low = frame_with_unit(lower - departure, 7, "");
+    g_autofree char *high = frame_with_unit(upper - departure, 7, "");
+    g_autofree char *end = frame_with_unit(upper - departure, 7, curve->info.time_unit);
     if (strcmp(low, high) == 0) return g_strdup_printf("leave at %s: %s", when, end);
     return g_strdup_printf("leave at %s: %s to %s", when, low, end);
 }
 
-static void mark_departure(const Curve *curve, cairo_t *cr, double departure, Labels *labels)
+static void mark_departure(const Curve *curve, Canvas *canvas, double departure, Labels *labels)
 {
     const TextStyle style = {PLOT_TEXT, TRUE, PLOT_INK, 0, 0, TRUE};
     double lower, upper;
     if (tdsp_table_arrival(curve->table, departure, &lower, &upper) != TDSP_OK) return;
     g_autofree char *text = interval_text(curve, departure, lower, upper);
     double x = frame_x(&curve->frame, departure), y = frame_y(&curve->frame, upper - departure);
-    cairo_move_to(cr, x, curve->frame.top + curve->frame.height);
-    cairo_line_to(cr, x, y);
-    canvas_colour(cr, PLOT_INK);
-    cairo_set_line_width(cr, 1);
-    cairo_stroke(cr);
-    cairo_arc(cr, x, y, 4, 0, 2 * G_PI);
-    cairo_fill(cr);
+    canvas_move_to(canvas, x, curve->frame.top + curve->frame.height);
+    canvas_line_to(canvas, x, y);
+    canvas_stroke(canvas, &(Pen){PLOT_INK, 1, FALSE, 0, 0});
+    canvas_circle(canvas, x, y, 4);
+    canvas_fill(canvas, PLOT_INK);
     labels_add_mark(labels, x, y, 5);
-    labels_write(labels, cr, x, y, 10, -G_PI / 2, &style, text);
+    labels_write(labels, canvas, x, y, 10, -G_PI / 2, &style, text);
 }
 
 static char *guarantee_of(const tdsp_table_info *info)
 {
     if (info->guarantee == TDSP_GUARANTEE_ABSOLUTE) {
-        g_autofree char *delta = with_unit(info->delta, info->time_unit);
+        g_autofree char *delta = frame_with_unit(info->delta, 7, info->time_unit);
         return g_strdup_printf("arrivals certified within %s", delta);
     }
-    g_autofree char *percent = with_unit(100 * info->epsilon, "");
+    g_autofree char *percent = frame_with_unit(100 * info->epsilon, 7, "");
     return g_strdup_printf("%s times certified within %s %%", words_guarantee(info->guarantee), percent);
 }
 
 static char *end_of(const tdsp_table_info *info)
 {
-    g_autofree char *last = with_unit(info->last_departure, info->time_unit);
+    g_autofree char *last = frame_with_unit(info->last_departure, 7, info->time_unit);
     g_autofree char *reason = cli_reason(info->last_reason);
     if (info->last_reason == TDSP_HORIZON) return g_strdup_printf("departures up to the horizon %s", last);
     return g_strdup_printf("last departure %s: then %s", last, reason);
 }
 
-static void draw_titles(const Curve *curve, cairo_t *cr, const char *name)
+static void draw_titles(const Curve *curve, Canvas *canvas, const char *name)
 {
     const TextStyle title = {18, TRUE, PLOT_INK, 0, 0, FALSE}, subtitle = {PLOT_TEXT, FALSE, PLOT_GREY, 0, 0, FALSE};
     g_autofree char *guarantee = guarantee_of(&curve->info);
@@ -212,57 +199,50 @@ static void draw_titles(const Curve *curve, cairo_t *cr, const char *name)
     g_autofree char *heading = g_strdup_printf("Travel time: %s", name);
     g_autofree char *text = g_strdup_printf("%" G_GUINT64_FORMAT " row%s, %s \xc2\xb7 %s", curve->info.rows,
                                             curve->info.rows == 1 ? "" : "s", guarantee, end);
-    canvas_text_within(cr, MARGIN_LEFT, 32, WIDTH - MARGIN_LEFT - 10, &title, heading);
-    canvas_text_within(cr, MARGIN_LEFT, 54, WIDTH - MARGIN_LEFT - 10, &subtitle, text);
+    canvas_text_within(canvas, MARGIN_LEFT, 32, WIDTH - MARGIN_LEFT - 10, &title, heading);
+    canvas_text_within(canvas, MARGIN_LEFT, 54, WIDTH - MARGIN_LEFT - 10, &subtitle, text);
 }
 
-static void draw_legend(cairo_t *cr, guint jumps)
+static void draw_legend(Canvas *canvas, guint jumps)
 {
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_INK, 0, 0.5, FALSE};
-    double x = MARGIN_LEFT, y = HEIGHT - 24;
-    const char *band = "certified interval; upper edge: travel time of the stored path";
+    Legend legend = legend_new(canvas, MARGIN_LEFT, WIDTH - 10, HEIGHT - 24);
     g_autofree char *jumped = g_strdup_printf("jump%s (%u)", jumps == 1 ? "" : "s", jumps);
-    cairo_rectangle(cr, x, y - 6, 24, 12);
-    canvas_colour(cr, PLOT_PATH_TINT);
-    cairo_fill(cr);
-    cairo_move_to(cr, x, y - 6);
-    cairo_line_to(cr, x + 24, y - 6);
-    canvas_colour(cr, PLOT_PATH);
-    cairo_set_line_width(cr, 1.6);
-    cairo_stroke(cr);
-    canvas_text(cr, x + 32, y, &style, band);
+    double x = legend_item(&legend, 24, "certified interval; upper edge: travel time of the stored path"), y = legend.y;
+    canvas_rectangle(canvas, x, y - 6, 24, 12);
+    canvas_fill(canvas, PLOT_PATH_TINT);
+    canvas_move_to(canvas, x, y - 6);
+    canvas_line_to(canvas, x + 24, y - 6);
+    canvas_stroke(canvas, &edge_pen);
     if (jumps == 0) return;
-    x += 32 + canvas_text_width(cr, &style, band) + 30;
-    cairo_move_to(cr, x, y + 6);
-    cairo_line_to(cr, x, y - 6);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_stroke(cr);
-    plot_jump_end(cr, x, y + 6, TRUE);
-    plot_jump_end(cr, x, y - 6, FALSE);
-    canvas_text(cr, x + 12, y, &style, jumped);
+    x = legend_item(&legend, 10, jumped) + 5;
+    canvas_move_to(canvas, x, y + 6);
+    canvas_line_to(canvas, x, y - 6);
+    canvas_stroke(canvas, &plot_jump_pen);
+    plot_jump_end(canvas, x, y + 6, TRUE);
+    plot_jump_end(canvas, x, y - 6, FALSE);
 }
 
 gboolean plot_curve(const tdsp_table *table, const char *name, const double *departure, const char *path, GError **error)
 {
-    g_auto(Canvas) canvas = {0};
     Curve curve = {.table = table};
     tdsp_status status = tdsp_table_get_info(table, &curve.info);
     if (status != TDSP_OK) return cli_fail_status(error, "table", status);
     curve.frame = frame_of(&curve);
     const Axis x = {"departure", curve.info.time_unit, 1}, y = {"travel time", curve.info.time_unit, 1};
-    if (!canvas_begin(&canvas, path, WIDTH, HEIGHT, error)) return FALSE;
-    frame_draw_grid(canvas.cr, &curve.frame);
-    frame_clip(canvas.cr, &curve.frame);
-    draw_last_departure(&curve, canvas.cr);
-    draw_band(&curve, canvas.cr);
+    g_autoptr(Canvas) canvas = canvas_new(path, WIDTH, HEIGHT, NULL, error);
+    if (!canvas) return FALSE;
+    frame_draw_grid(canvas, &curve.frame);
+    frame_clip(canvas, &curve.frame);
+    draw_last_departure(&curve, canvas);
+    draw_band(&curve, canvas);
     g_auto(Labels) labels = labels_new(&curve.frame);
     add_obstacles(&curve, &labels);
-    guint jumps = plot_jumps(canvas.cr, &curve.frame, table, &curve.info);
-    if (departure) mark_departure(&curve, canvas.cr, *departure, &labels);
-    plot_jump_labels(canvas.cr, &curve.frame, table, &curve.info, &labels);
-    cairo_restore(canvas.cr);
-    frame_draw_axes(canvas.cr, &curve.frame, &x, &y);
-    draw_titles(&curve, canvas.cr, name);
-    draw_legend(canvas.cr, jumps);
-    return canvas_write(&canvas, path, error);
+    guint jumps = plot_jumps(canvas, &curve.frame, table, &curve.info);
+    if (departure) mark_departure(&curve, canvas, *departure, &labels);
+    plot_jump_labels(canvas, &curve.frame, table, &curve.info, &labels);
+    canvas_unclip(canvas);
+    frame_draw_axes(canvas, &curve.frame, &x, &y);
+    draw_titles(&curve, canvas, name);
+    draw_legend(canvas, jumps);
+    return canvas_write(canvas, error);
 }

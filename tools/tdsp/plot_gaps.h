@@ -7,9 +7,9 @@
 #include "tdsp/shape.h"
 
 /* The mark of a gap. */
-void plot_gap_mark(cairo_t *cr, double x, double y);
+void plot_gap_mark(Canvas *canvas, double x, double y);
 
 /* Mark each gap that is known, the largest jumps with their departures as far as there is room. NULL: nothing. */
-void plot_gaps(cairo_t *cr, const Frame *frame, const tdsp_jumps *jumps, const char *unit, Labels *labels);
+void plot_gaps(Canvas *canvas, const Frame *frame, const tdsp_jumps *jumps, const char *unit, Labels *labels);
 
 #endif

@@ -8,28 +8,24 @@
 #define LABELLED 0.02  /* ... and no label */
 #define MOST_LABELS 12
 
-void plot_jump_end(cairo_t *cr, double x, double y, gboolean filled)
+const Pen plot_jump_pen = {PLOT_ALARM, 1.6, FALSE, 0, 0};
+
+void plot_jump_end(Canvas *canvas, double x, double y, gboolean filled)
 {
-    cairo_arc(cr, x, y, 3.6, 0, 2 * G_PI);
-    canvas_colour(cr, filled ? PLOT_ALARM : PLOT_PAPER);
-    cairo_fill_preserve(cr);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_set_line_width(cr, 1.6);
-    cairo_stroke(cr);
+    canvas_circle(canvas, x, y, 3.6);
+    canvas_fill_and_stroke(canvas, filled ? PLOT_ALARM : PLOT_PAPER, &plot_jump_pen);
 }
 
 /* T is left-continuous: the lower end belongs to the curve, the upper one does not. */
-static void draw_jump(cairo_t *cr, const Frame *frame, const tdsp_jump *jump)
+static void draw_jump(Canvas *canvas, const Frame *frame, const tdsp_jump *jump)
 {
     double x = frame_x(frame, jump->departure), before = frame_y(frame, jump->before), after = frame_y(frame, jump->after);
-    cairo_move_to(cr, x, before);
-    cairo_line_to(cr, x, after);
-    canvas_colour(cr, PLOT_ALARM);
-    cairo_set_line_width(cr, 1.6);
-    cairo_stroke(cr);
+    canvas_move_to(canvas, x, before);
+    canvas_line_to(canvas, x, after);
+    canvas_stroke(canvas, &plot_jump_pen);
     if (before - after < MARKED * frame->height) return;
-    plot_jump_end(cr, x, before, TRUE);
-    plot_jump_end(cr, x, after, FALSE);
+    plot_jump_end(canvas, x, before, TRUE);
+    plot_jump_end(canvas, x, after, FALSE);
 }
 
 /* The first jump at a row after the last one; *from moves on. */
@@ -42,13 +38,13 @@ static gboolean next_jump(const tdsp_table *table, const tdsp_table_info *info, 
     return TRUE;
 }
 
-guint plot_jumps(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info)
+guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info)
 {
     guint count = 0;
     double from = 0;
     tdsp_jump jump;
     while (next_jump(table, info, &from, &jump)) {
-        draw_jump(cr, frame, &jump);
+        draw_jump(canvas, frame, &jump);
         count++;
     }
     return count;
@@ -61,20 +57,19 @@ static int larger_first(gconstpointer one, gconstpointer other)
     return difference > 0 ? 1 : difference < 0 ? -1 : 0;
 }
 
-static void label_jump(cairo_t *cr, const Frame *frame, const tdsp_jump *jump, const char *unit, Labels *labels)
+static void label_jump(Canvas *canvas, const Frame *frame, const tdsp_jump *jump, const char *unit, Labels *labels)
 {
     const TextStyle style = {PLOT_TEXT - 1, FALSE, PLOT_ALARM, 0, 0, TRUE};
-    char departure[32];
-    g_ascii_formatd(departure, sizeof departure, "%.6g", jump->departure);
+    g_autofree char *departure = frame_with_unit(jump->departure, 6, unit);
     g_autofree char *discs = shape_gap_discs(&jump->gap);
     g_autofree char *text = jump->gap.first == TDSP_NO_DISC
-                                ? g_strdup_printf("%s%s%s", departure, *unit ? " " : "", unit)
-                                : g_strdup_printf("%s%s%s: discs %s close", departure, *unit ? " " : "", unit, discs);
+                                ? g_strdup(departure)
+                                : g_strdup_printf("%s: discs %s close", departure, discs);
     double x = frame_x(frame, jump->departure), y = frame_y(frame, 0.5 * (jump->before + jump->after));
-    labels_write(labels, cr, x, y, 9, 0, &style, text);
+    labels_write(labels, canvas, x, y, 9, 0, &style, text);
 }
 
-void plot_jump_labels(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels)
+void plot_jump_labels(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels)
 {
     g_autoptr(GArray) jumps = g_array_new(FALSE, FALSE, sizeof(tdsp_jump));
     double from = 0;
@@ -84,5 +79,5 @@ void plot_jump_labels(cairo_t *cr, const Frame *frame, const tdsp_table *table, 
     }
     g_array_sort(jumps, larger_first);
     for (guint i = 0; i < MIN(jumps->len, MOST_LABELS); i++)
-        label_jump(cr, frame, &g_array_index(jumps, tdsp_jump, i), info->time_unit, labels);
+        label_jump(canvas, frame, &g_array_index(jumps, tdsp_jump, i), info->time_unit, labels);
 }

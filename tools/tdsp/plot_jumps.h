@@ -6,13 +6,16 @@
 #include "plot_labels.h"
 #include "tdsp/table.h"
 
+/* What jumps are drawn with. */
+extern const Pen plot_jump_pen;
+
 /* A jump's end: filled where it belongs to the curve. */
-void plot_jump_end(cairo_t *cr, double x, double y, gboolean filled);
+void plot_jump_end(Canvas *canvas, double x, double y, gboolean filled);
 
 /* Draw all jumps; returns their number. */
-guint plot_jumps(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info);
+guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info);
 
 /* Write beside the largest ones when they are, and what closes, as far as there is room. */
-void plot_jump_labels(cairo_t *cr, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels);
+void plot_jump_labels(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels);
 
 #endif

@@ -72,10 +72,10 @@ static double turned(double angle, int place)
     return angle + 2 * G_PI * twelfths / PLACES;
 }
 
-gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double distance, double angle, const TextStyle *style,
+gboolean labels_write(Labels *labels, Canvas *canvas, double x, double y, double distance, double angle, const TextStyle *style,
                       const char *text)
 {
-    double width = canvas_text_width(cr, style, text) + 4, height = style->size + 2;
+    double width = canvas_text_width(canvas, style, text) + 4, height = style->size + 2;
     guint least = G_MAXUINT;
     Box best = {0, 0, 0, 0};
     for (int i = 0; i < PLACES; i++) {
@@ -88,7 +88,7 @@ gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double di
     if (least == G_MAXUINT) return FALSE;
     TextStyle placed = *style;
     placed.across = placed.up = 0.5;
-    canvas_text(cr, (best.left + best.right) / 2, (best.top + best.bottom) / 2, &placed, text);
+    canvas_text(canvas, (best.left + best.right) / 2, (best.top + best.bottom) / 2, &placed, text);
     g_array_append_val(labels->boxes, best);
     return TRUE;
 }

@@ -22,7 +22,7 @@ void labels_add_obstacle(Labels *labels, double x, double y);
 
 /* Write `text` beside (x, y), at about `distance`, where it hides least; of equal places the one nearest to the direction `angle`
  * (clockwise from the right). FALSE when there is no room: nothing is written. */
-gboolean labels_write(Labels *labels, cairo_t *cr, double x, double y, double distance, double angle, const TextStyle *style,
+gboolean labels_write(Labels *labels, Canvas *canvas, double x, double y, double distance, double angle, const TextStyle *style,
                       const char *text);
 
 #endif

@@ -1,24 +1,32 @@
 /* SPDX-License-Identifier: MIT */
-/* The picture of a scene: discs at departure and at arrival, the path with times along it, and what is what. */
+/*
+ * The picture of a scene: discs at departure and at arrival, the path with times along it, and what is what. One that moves shows how the discs come from
+ * the one to the other while the robot rides its path; where it ends, and rests, it is the still one.
+ */
 #include "plot_scene.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "cli.h"
+#include "plot_clock.h"
 #include "plot_discs.h"
 #include "plot_frame.h"
 #include "plot_gaps.h"
 #include "plot_labels.h"
+#include "plot_legend.h"
 #include "plot_route.h"
 #include "tdsp/growth.h"
 
-#define LONG_SIDE 860.0 /* of the frame */
+#define LONG_SIDE 700.0 /* of the frame */
 #define MARGIN_LEFT 92.0
 #define MARGIN_RIGHT 28.0
 #define MARGIN_TOP 66.0
-#define MARGIN_BOTTOM 110.0
+#define MARGIN_BOTTOM 66.0 /* between the frame and the middle of the legend's first line */
 #define LEAST_SHAPE 0.8 /* the shorter side of the frame over the longer one */
+#define BELOW_LEGEND 24.0
+#define REST 0.15        /* of the time that the journeys take: how long a moving picture rests at its end */
+#define WIDEST_STEP 5e-10 /* a time between ticks as wide as one gets */
 #define FAR 1.5         /* discs count for the view up to so many lengths of the journey away */
 
 typedef struct Extent {
@@ -51,11 +59,12 @@ static double larger_side(const Extent *extent)
 /* Discs as far as `near` reaches, each no wider than the view it adds to. */
 static void extent_add_discs(Extent *extent, const ScenePicture *picture, const Extent *near)
 {
+    double departure = picture->journeys[0].departure;
     size_t count;
     const tdsp_disc *discs = tdsp_scene_discs(picture->scene->scene, &count);
     for (size_t i = 0; i < count; i++) {
         double radius = discs[i].radius;
-        (void)tdsp_scene_disc_at(picture->scene->scene, (uint32_t)i, picture->departure, &radius, NULL);
+        (void)tdsp_scene_disc_at(picture->scene->scene, (uint32_t)i, departure, &radius, NULL);
         tdsp_point low = {fmax(discs[i].center.x - radius, near->x_low), fmax(discs[i].center.y - radius, near->y_low)};
         tdsp_point high = {fmin(discs[i].center.x + radius, near->x_high), fmin(discs[i].center.y + radius, near->y_high)};
         if (low.x > high.x || low.y > high.y) continue;
@@ -77,7 +86,7 @@ static Extent extent_of(const ScenePicture *picture)
     Extent extent = {INFINITY, -INFINITY, INFINITY, -INFINITY};
     extent_add(&extent, journey->source, 0);
     extent_add(&extent, journey->destination, 0);
-    extent_add_legs(&extent, picture->legs);
+    for (guint i = 0; i < picture->count; i++) extent_add_legs(&extent, picture->journeys[i].legs);
     double side = larger_side(&extent);
     if (!(side > 0)) side = first_disc_size(picture->scene->scene);
     Extent near = extent;
@@ -113,161 +122,178 @@ static Frame frame_of(Extent extent)
                    extent.y_high};
 }
 
+/* When the last robot is there; infinite when none gets there. */
+static double last_arrival(const ScenePicture *picture)
+{
+    double last = -INFINITY;
+    for (guint i = 0; i < picture->count; i++)
+        if (isfinite(picture->journeys[i].arrival)) last = fmax(last, picture->journeys[i].arrival);
+    return isfinite(last) ? last : INFINITY;
+}
+
+gboolean plot_scene_can_move(const ScenePicture *picture)
+{
+    double end = last_arrival(picture);
+    return isfinite(end) && end > picture->journeys[0].departure;
+}
+
+static Timeline timeline_of(const ScenePicture *picture)
+{
+    return (Timeline){picture->journeys[0].departure, last_arrival(picture), picture->seconds, REST * picture->seconds};
+}
+
 /* The edge of the union at arrival is what a slightly larger union below it leaves to be seen. */
-static void draw_discs(cairo_t *cr, const Frame *frame, const ScenePicture *picture)
+static void draw_discs(Canvas *canvas, const Frame *frame, const ScenePicture *picture)
 {
-    const DiscsStyle outline = {PLOT_DISC_OUTLINE, 1.2, 0.9}, later = {PLOT_DISC_LATER, 1.2, 0}, now = {PLOT_DISC, 1.2, 0};
+    const DiscsStyle later[] = {{PLOT_DISC_OUTLINE, 1.2, 0.9}, {PLOT_DISC_LATER, 1.2, 0}}, now = {PLOT_DISC, 1.2, 0};
     const tdsp_scene *scene = picture->scene->scene;
-    if (isfinite(picture->arrival)) {
-        plot_discs_fill(cr, frame, scene, picture->arrival, &outline);
-        plot_discs_fill(cr, frame, scene, picture->arrival, &later);
+    double end = last_arrival(picture);
+    canvas_layer_begin(canvas, LAYER_STILL);
+    for (gsize i = 0; i < G_N_ELEMENTS(later) && isfinite(end); i++) plot_discs_fill(canvas, frame, scene, end, &later[i]);
+    canvas_layer_end(canvas);
+    if (canvas_timeline(canvas)) {
+        canvas_layer_begin(canvas, LAYER_MOVING);
+        for (gsize i = 0; i < G_N_ELEMENTS(later); i++) plot_discs_grow(canvas, frame, scene, &later[i]);
+        canvas_layer_end(canvas);
     }
-    plot_discs_fill(cr, frame, scene, picture->departure, &now);
+    plot_discs_fill(canvas, frame, scene, picture->journeys[0].departure, &now);
 }
 
-static void draw_end(cairo_t *cr, double x, double y, gboolean filled)
+static void draw_end(Canvas *canvas, double x, double y, gboolean filled)
 {
-    cairo_arc(cr, x, y, 6.5, 0, 2 * G_PI);
-    canvas_colour(cr, filled ? PLOT_PATH : PLOT_PAPER);
-    cairo_fill_preserve(cr);
-    canvas_colour(cr, filled ? PLOT_PAPER : PLOT_PATH);
-    cairo_set_line_width(cr, filled ? 1.5 : 3);
-    cairo_stroke(cr);
+    const Pen pen = {filled ? PLOT_PAPER : PLOT_PATH, filled ? 1.5 : 3, FALSE, 0, 0};
+    canvas_circle(canvas, x, y, 6.5);
+    canvas_fill_and_stroke(canvas, filled ? PLOT_PATH : PLOT_PAPER, &pen);
 }
 
-static void label_ends(cairo_t *cr, const Frame *frame, const tdsp_journey *journey, Labels *labels)
+static void label_ends(Canvas *canvas, const Frame *frame, const tdsp_journey *journey, Labels *labels)
 {
     const TextStyle style = {PLOT_TEXT, TRUE, PLOT_PATH, 0, 0, TRUE};
     double sx = frame_x(frame, journey->source.x), sy = frame_y(frame, journey->source.y);
     double dx = frame_x(frame, journey->destination.x), dy = frame_y(frame, journey->destination.y);
-    draw_end(cr, sx, sy, TRUE);
-    draw_end(cr, dx, dy, FALSE);
+    draw_end(canvas, sx, sy, TRUE);
+    draw_end(canvas, dx, dy, FALSE);
     labels_add_mark(labels, sx, sy, 8);
     labels_add_mark(labels, dx, dy, 8);
-    labels_write(labels, cr, sx, sy, 11, 0, &style, "source");
-    labels_write(labels, cr, dx, dy, 11, 0, &style, "destination");
+    labels_write(labels, canvas, sx, sy, 11, 0, &style, "source");
+    labels_write(labels, canvas, dx, dy, 11, 0, &style, "destination");
 }
 
-static double draw_journey(cairo_t *cr, const Frame *frame, const ScenePicture *picture)
+/* The routes of the journeys that have one; returns their number. */
+static guint routes_of(const ScenePicture *picture, Route *routes)
+{
+    static const guint32 colours[] = {PLOT_PATH, PLOT_BESIDE}, tints[] = {PLOT_PATH_TINT, PLOT_BESIDE_TINT};
+    guint count = 0;
+    for (guint i = 0; i < picture->count; i++) {
+        const GArray *legs = picture->journeys[i].legs;
+        if (legs->len > 0) routes[count++] = (Route){(const tdsp_leg *)legs->data, legs->len, colours[i], tints[i]};
+    }
+    return count;
+}
+
+/* Returns the time between two ticks of the last path; 0 without one. The first path, which the picture is about, lies on top. */
+static double draw_journeys(Canvas *canvas, const Frame *frame, const ScenePicture *picture)
 {
     g_auto(Labels) labels = labels_new(frame);
-    const tdsp_leg *legs = (const tdsp_leg *)picture->legs->data;
-    gsize count = picture->legs->len;
+    Route routes[PICTURE_JOURNEYS];
+    guint count = routes_of(picture, routes);
     double step = 0;
-    if (count > 0) {
-        plot_route_ridden(cr, frame, legs, count);
-        plot_route_draw(cr, frame, legs, count, &labels);
-    }
-    label_ends(cr, frame, tdsp_scene_journey(picture->scene->scene), &labels);
-    plot_gaps(cr, frame, picture->jumps, picture->scene->time_unit, &labels);
-    if (count > 0) step = plot_route_times(cr, frame, legs, count, &labels);
+    for (guint i = count; i-- > 0;) plot_route_ridden(canvas, frame, &routes[i]);
+    for (guint i = count; i-- > 0;) plot_route_draw(canvas, frame, &routes[i], &labels);
+    label_ends(canvas, frame, tdsp_scene_journey(picture->scene->scene), &labels);
+    plot_gaps(canvas, frame, picture->jumps, picture->scene->time_unit, &labels);
+    for (guint i = 0; i < count; i++) step = plot_route_times(canvas, frame, &routes[i], &labels);
+    if (!canvas_timeline(canvas)) return step;
+    canvas_layer_begin(canvas, LAYER_MOVING);
+    for (guint i = count; i-- > 0;) plot_route_robot(canvas, frame, &routes[i]);
+    canvas_layer_end(canvas);
     return step;
 }
 
-static char *with_unit(double value, int digits, const char *unit)
+/* "leaves at 5 s, arrives at 25 s" */
+static char *journey_text(const PictureJourney *journey, const char *unit)
 {
-    char format[8];
-    g_snprintf(format, sizeof format, "%%.%dg", digits);
-    char buffer[64];
-    g_ascii_formatd(buffer, sizeof buffer, format, value);
-    return *unit ? g_strdup_printf("%s %s", buffer, unit) : g_strdup(buffer);
+    g_autofree char *departure = frame_with_unit(journey->departure, 7, unit);
+    g_autofree char *arrival = frame_with_unit(journey->arrival, 7, unit);
+    g_autofree char *reason = cli_reason(journey->status);
+    if (isfinite(journey->arrival)) return g_strdup_printf("leaves at %s, arrives at %s", departure, arrival);
+    return g_strdup_printf("leaves at %s, no path: %s", departure, reason);
 }
 
 static char *subtitle_of(const ScenePicture *picture)
 {
-    const tdsp_journey *journey = tdsp_scene_journey(picture->scene->scene);
     const char *time = picture->scene->time_unit, *length = picture->scene->length_unit;
     size_t count;
     tdsp_scene_discs(picture->scene->scene, &count);
-    g_autofree char *departure = with_unit(picture->departure, 7, time);
-    g_autofree char *arrival = with_unit(picture->arrival, 7, time);
-    g_autofree char *speed = with_unit(journey->speed, 5, length);
-    g_autofree char *reason = cli_reason(picture->status);
-    g_autofree char *answer =
-        isfinite(picture->arrival) ? g_strdup_printf("arrives at %s", arrival) : g_strdup_printf("no path: %s", reason);
-    return g_strdup_printf("leaves at %s, %s \xc2\xb7 %" G_GSIZE_FORMAT " disc%s \xc2\xb7 robot's speed %s%s%s", departure,
-                           answer, count, count == 1 ? "" : "s", speed, *length && *time ? "/" : "", *length ? time : "");
+    g_autofree char *speed = frame_with_unit(tdsp_scene_journey(picture->scene->scene)->speed, 5, length);
+    g_autofree char *discs = g_strdup_printf("%" G_GSIZE_FORMAT " disc%s \xc2\xb7 robot's speed %s%s%s", count, count == 1 ? "" : "s", speed,
+                                             *length && *time ? "/" : "", *length ? time : "");
+    if (picture->count > 1) return g_steal_pointer(&discs); /* the legend tells when they leave and arrive */
+    g_autofree char *journey = journey_text(&picture->journeys[0], time);
+    return g_strdup_printf("%s \xc2\xb7 %s", journey, discs);
 }
 
-static void draw_titles(const Canvas *canvas, const ScenePicture *picture)
+static void draw_titles(Canvas *canvas, const ScenePicture *picture)
 {
     const TextStyle title = {18, TRUE, PLOT_INK, 0, 0, FALSE}, subtitle = {PLOT_TEXT, FALSE, PLOT_GREY, 0, 0, FALSE};
-    g_autofree char *text = subtitle_of(picture);
     const char *name = *picture->scene->name ? picture->scene->name : "Scene";
-    canvas_text_within(canvas->cr, MARGIN_LEFT, 30, canvas->width - MARGIN_LEFT - 10, &title, name);
-    canvas_text_within(canvas->cr, MARGIN_LEFT, 52, canvas->width - MARGIN_LEFT - 10, &subtitle, text);
+    double room = canvas_width(canvas) - MARGIN_LEFT - 10;
+    g_autofree char *text = subtitle_of(picture);
+    g_autofree char *first = journey_text(&picture->journeys[0], picture->scene->time_unit);
+    g_autofree char *description = g_strdup_printf("%s: %s", name, first);
+    canvas_describe(canvas, description);
+    canvas_text_within(canvas, MARGIN_LEFT, 30, canvas_timeline(canvas) ? room - PLOT_CLOCK_WIDTH : room, &title, name);
+    canvas_text_within(canvas, MARGIN_LEFT, 52, room, &subtitle, text);
+    if (canvas_timeline(canvas)) plot_clock(canvas, canvas_width(canvas) - MARGIN_RIGHT, 30, picture->scene->time_unit);
 }
 
-/* A legend being written: items from left to right, in lines. */
-typedef struct Legend {
-    cairo_t *cr;
-    double x, y, right;
-} Legend;
-
-/* Make room for a sample of this width with its text; returns where the sample begins. */
-static double legend_item(Legend *legend, double sample, const char *text)
+static gboolean rides(const Route *route)
 {
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_INK, 0, 0.5, FALSE};
-    double width = sample + 7 + canvas_text_width(legend->cr, &style, text);
-    if (legend->x > MARGIN_LEFT && legend->x + width > legend->right) {
-        legend->x = MARGIN_LEFT;
-        legend->y += 22;
-    }
-    double left = legend->x;
-    canvas_text(legend->cr, left + sample + 7, legend->y, &style, text);
-    legend->x += width + 22;
-    return left;
-}
-
-static void legend_disc(Legend *legend, guint32 fill, guint32 edge, const char *text)
-{
-    double x = legend_item(legend, 14, text);
-    cairo_arc(legend->cr, x + 7, legend->y, 6.5, 0, 2 * G_PI);
-    canvas_colour(legend->cr, fill);
-    cairo_fill_preserve(legend->cr);
-    canvas_colour(legend->cr, edge);
-    cairo_set_line_width(legend->cr, 1);
-    cairo_stroke(legend->cr);
-}
-
-static void legend_line(Legend *legend, gboolean ridden, const char *text)
-{
-    static const double dashes[] = {3, 3};
-    double x = legend_item(legend, 24, text);
-    cairo_move_to(legend->cr, x, legend->y);
-    cairo_line_to(legend->cr, x + 24, legend->y);
-    if (ridden) cairo_set_dash(legend->cr, dashes, G_N_ELEMENTS(dashes), 0);
-    canvas_colour(legend->cr, PLOT_PATH);
-    cairo_set_line_width(legend->cr, ridden ? 0.9 : 2.4);
-    cairo_stroke(legend->cr);
-    cairo_set_dash(legend->cr, NULL, 0, 0);
-}
-
-static void legend_gap(Legend *legend)
-{
-    double x = legend_item(legend, 12, "gap that closes, and the last departure through it");
-    plot_gap_mark(legend->cr, x + 6, legend->y);
-}
-
-static gboolean rides(const GArray *legs)
-{
-    for (guint i = 0; i < legs->len; i++)
-        if (g_array_index(legs, tdsp_leg, i).kind != TDSP_LEG_LINE) return TRUE;
+    for (gsize i = 0; i < route->count; i++)
+        if (route->legs[i].kind != TDSP_LEG_LINE) return TRUE;
     return FALSE;
 }
 
-static void draw_legend(const Canvas *canvas, const ScenePicture *picture, double step)
+/* One path: what it is. Of two: which is which. */
+static void legend_routes(Legend *legend, const ScenePicture *picture, double step)
 {
-    Legend legend = {canvas->cr, MARGIN_LEFT, canvas->height - 44, canvas->width - 10};
-    g_autofree char *every = with_unit(step, 7, picture->scene->time_unit);
+    Route routes[PICTURE_JOURNEYS];
+    guint count = routes_of(picture, routes), named = 0;
+    const char *unit = picture->scene->time_unit;
+    for (guint i = 0; i < picture->count && picture->count > 1; i++) {
+        if (picture->journeys[i].legs->len == 0) continue;
+        const Pen pen = plot_route_pen(&routes[named++]);
+        g_autofree char *journey = journey_text(&picture->journeys[i], unit);
+        legend_line(legend, &pen, journey);
+    }
+    g_autofree char *every = frame_with_unit(step, 7, unit);
     g_autofree char *path = step > 0 ? g_strdup_printf("path, a tick every %s", every) : g_strdup("path");
+    const Pen first = count > 0 ? plot_route_pen(&routes[0]) : (Pen){0}, ridden = count > 0 ? plot_ridden_pen(&routes[0]) : (Pen){0};
+    if (picture->count == 1 && count > 0) legend_line(legend, &first, path);
+    if ((count > 0 && rides(&routes[0])) || (count > 1 && rides(&routes[1]))) legend_line(legend, &ridden, "ridden disc, as the ride begins");
+}
+
+/* Returns the middle of its last line. */
+static double draw_legend(Canvas *canvas, const ScenePicture *picture, double y, double step)
+{
+    Legend legend = legend_new(canvas, MARGIN_LEFT, canvas_width(canvas) - 10, y);
+    gboolean moves = picture->seconds > 0 && plot_scene_can_move(picture);
     size_t count;
     tdsp_scene_discs(picture->scene->scene, &count);
     if (count > 0) legend_disc(&legend, PLOT_DISC, PLOT_DISC, "discs at departure");
-    if (count > 0 && isfinite(picture->arrival)) legend_disc(&legend, PLOT_DISC_LATER, PLOT_DISC_OUTLINE, "at arrival");
-    if (picture->legs->len > 0) legend_line(&legend, FALSE, path);
-    if (rides(picture->legs)) legend_line(&legend, TRUE, "ridden disc, as the ride begins");
-    if (tdsp_jumps_count(picture->jumps) > 0) legend_gap(&legend);
+    if (count > 0 && isfinite(last_arrival(picture))) legend_disc(&legend, PLOT_DISC_LATER, PLOT_DISC_OUTLINE, moves ? "at the time shown" : "at arrival");
+    legend_routes(&legend, picture, step);
+    if (tdsp_jumps_count(picture->jumps) == 0) return legend.y;
+    double x = legend_item(&legend, 12, "gap that closes, and the last departure through it");
+    plot_gap_mark(canvas, x + 6, legend.y);
+    return legend.y;
+}
+
+/* How far the legend reaches below its first line: it is drawn to be measured. */
+static double legend_height(const ScenePicture *picture, double width)
+{
+    g_autoptr(Canvas) paper = canvas_new("legend.svg", width, 1, NULL, NULL);
+    return paper ? draw_legend(paper, picture, 0, WIDEST_STEP) : 0;
 }
 
 /* Metres become kilometres where there are many. */
@@ -279,19 +305,22 @@ static Axis axis_of(const char *name, const char *unit, double range)
 
 gboolean plot_scene(const ScenePicture *picture, const char *path, GError **error)
 {
-    g_auto(Canvas) canvas = {0};
     Frame frame = frame_of(extent_of(picture));
     const char *unit = picture->scene->length_unit;
     Axis x = axis_of("x", unit, frame.x_high - frame.x_low), y = axis_of("y", unit, frame.x_high - frame.x_low);
-    double width = frame.width + MARGIN_LEFT + MARGIN_RIGHT;
-    if (!canvas_begin(&canvas, path, width, frame.height + MARGIN_TOP + MARGIN_BOTTOM, error)) return FALSE;
-    frame_draw_grid(canvas.cr, &frame);
-    frame_clip(canvas.cr, &frame);
-    draw_discs(canvas.cr, &frame, picture);
-    double step = draw_journey(canvas.cr, &frame, picture);
-    cairo_restore(canvas.cr);
-    frame_draw_axes(canvas.cr, &frame, &x, &y);
-    draw_titles(&canvas, picture);
-    draw_legend(&canvas, picture, step);
-    return canvas_write(&canvas, path, error);
+    const Timeline timeline = timeline_of(picture);
+    gboolean moves = picture->seconds > 0 && plot_scene_can_move(picture);
+    double width = frame.width + MARGIN_LEFT + MARGIN_RIGHT, legend = MARGIN_TOP + frame.height + MARGIN_BOTTOM;
+    double height = legend + legend_height(picture, width) + BELOW_LEGEND;
+    g_autoptr(Canvas) canvas = canvas_new(path, width, height, moves ? &timeline : NULL, error);
+    if (!canvas) return FALSE;
+    frame_draw_grid(canvas, &frame);
+    frame_clip(canvas, &frame);
+    draw_discs(canvas, &frame, picture);
+    double step = draw_journeys(canvas, &frame, picture);
+    canvas_unclip(canvas);
+    frame_draw_axes(canvas, &frame, &x, &y);
+    draw_titles(canvas, picture);
+    draw_legend(canvas, picture, legend, step);
+    return canvas_write(canvas, error);
 }

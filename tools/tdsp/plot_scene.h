@@ -6,15 +6,26 @@
 #include "scene_file.h"
 #include "tdsp/shape.h"
 
-/* What is drawn: the scene for a robot that leaves at `departure`, and its path. */
-typedef struct ScenePicture {
-    const SceneFile *scene;
+typedef struct PictureJourney {
     double departure;
     double arrival; /* infinite when there is no path */
     tdsp_status status;
-    const GArray *legs; /* of tdsp_leg */
+    const GArray *legs; /* of tdsp_leg; empty when there is no path */
+} PictureJourney;
+
+#define PICTURE_JOURNEYS 2 /* at most */
+
+/* What is drawn: the scene for a robot that leaves at the first journey's departure, its path, and beside it that of another departure. */
+typedef struct ScenePicture {
+    const SceneFile *scene;
+    PictureJourney journeys[PICTURE_JOURNEYS];
+    guint count;             /* of journeys: 1 or 2, in order of departure */
     const tdsp_jumps *jumps; /* to be marked; NULL for none */
+    double seconds;          /* how long the journeys take in a picture that moves; 0: it stands still */
 } ScenePicture;
+
+/* Does anything go anywhere? Without that a picture cannot move. */
+gboolean plot_scene_can_move(const ScenePicture *picture);
 
 gboolean plot_scene(const ScenePicture *picture, const char *path, GError **error);
 

@@ -6,6 +6,7 @@
 
 #include "base/bytes.h"
 #include "support/golden.h"
+#include "support/walk.h"
 #include "table/check.h"
 #include "table/format.h"
 #include "tdsp/table.h"
@@ -41,6 +42,51 @@ static void assert_refused(edge e)
 {
     assert_int_equal(edge_open(e), TDSP_BAD_TABLE);
     free(e.bytes);
+}
+
+/* ------------------------------------------------------------------------------------------------------ later versions */
+
+/* The table as a later version would have it, with eight bytes of ones, which are no number, behind each section. */
+static edge edge_spaced(size_t which)
+{
+    edge e = edge_of(which), spaced;
+    size_t sections = format_sections(bytes_get_u16(e.bytes + FORMAT_AT_MINOR)), at = bytes_get_u32(e.bytes + FORMAT_AT_HEADER_LENGTH);
+    spaced.length = e.length + 8 * sections;
+    spaced.bytes = malloc(spaced.length);
+    assert_non_null(spaced.bytes);
+    memset(spaced.bytes, 0xff, spaced.length);
+    memcpy(spaced.bytes, e.bytes, at);
+    for (size_t i = 0; i < sections; i++) {
+        size_t next = i + 1 < sections ? (size_t)bytes_get_u64(e.bytes + format_at_offset(i + 1)) : e.length;
+        memcpy(spaced.bytes + at + 8 * i, e.bytes + at, next - at);
+        bytes_put_u64(spaced.bytes + format_at_offset(i), at + 8 * i);
+        at = next;
+    }
+    bytes_put_u16(spaced.bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
+    bytes_put_u64(spaced.bytes + FORMAT_AT_LENGTH, spaced.length);
+    free(e.bytes);
+    return spaced;
+}
+
+static void a_later_version_may_put_anything_behind_any_section(void **state)
+{
+    (void)state;
+    for (size_t which = SWELL; which <= SQUEEZE; which++) {
+        edge e = edge_of(which), spaced = edge_spaced(which);
+        tdsp_table table, told;
+        tdsp_row row, same;
+        assert_int_equal(edge_open(spaced), TDSP_OK);
+        assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
+        assert_int_equal(tdsp_table_open(&told, spaced.bytes, spaced.length), TDSP_OK);
+        for (uint64_t i = 0; i < table.rows; i++) {
+            assert_int_equal(tdsp_table_row(&table, i, &row), TDSP_OK);
+            assert_int_equal(tdsp_table_row(&told, i, &same), TDSP_OK);
+            assert_memory_equal(&row, &same, sizeof row);
+        }
+        assert_null(walk_table(&told));
+        free(e.bytes);
+        free(spaced.bytes);
+    }
 }
 
 /* -------------------------------------------------------------------------------------------------------- header, rows */
@@ -204,6 +250,27 @@ static void a_guide_of_one_cell_needs_a_scale_over_0(void **state)
     }
 }
 
+/* A later version may have anything behind the departures: here a number below the only one. */
+static void a_guide_of_one_row_looks_at_no_row_behind_it(void **state)
+{
+    (void)state;
+    edge e = edge_of(STILL);
+    tdsp_table table;
+    unsigned char more[32] = {0};
+    assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
+    unsigned char *longer = realloc(e.bytes, e.length + sizeof more);
+    assert_non_null(longer);
+    bytes_put_u32(more + 4, 1);
+    bytes_put_f64(more + 24, -1.0);
+    memcpy(longer + e.length, more, sizeof more);
+    table.bytes = longer;
+    table.length = e.length + sizeof more;
+    table.departures = e.length + 16;
+    table.by_departure = (tdsp_guide){.cells = 1, .scale = 1.0, .last = 0, .bases = e.length, .counts = e.length + 8};
+    assert_true(check_guides(&table));
+    free(longer);
+}
+
 /* The second block of cells as if it started a row earlier, and each of its cells a row later than that. */
 static void a_block_that_does_not_start_where_its_first_cell_does_is_refused(void **state)
 {
@@ -276,6 +343,7 @@ static void a_table_without_guides_is_not_read_as_if_it_had_some(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_later_version_may_put_anything_behind_any_section),
         cmocka_unit_test(what_must_be_equal_is_not_equal_to_no_number),
         cmocka_unit_test(a_travel_time_below_0_is_refused_though_arrivals_are_in_order),
         cmocka_unit_test(a_travel_time_that_falls_is_refused_though_every_right_one_is_below_it),
@@ -287,6 +355,7 @@ int main(void)
         cmocka_unit_test(a_curve_that_no_leg_has_is_looked_at_too),
         cmocka_unit_test(a_radius_below_0_or_a_rate_over_the_speed_is_refused_however_small_the_curve_looks),
         cmocka_unit_test(a_guide_of_one_cell_needs_a_scale_over_0),
+        cmocka_unit_test(a_guide_of_one_row_looks_at_no_row_behind_it),
         cmocka_unit_test(a_block_that_does_not_start_where_its_first_cell_does_is_refused),
         cmocka_unit_test(a_guide_to_arrivals_that_fall_by_a_rounding_within_a_cell_is_refused),
         cmocka_unit_test(a_table_without_guides_is_not_read_as_if_it_had_some),

@@ -40,8 +40,9 @@ for program in "$@"; do
     status=$?
     crashes=$(find "$(dirname "$kept")" -maxdepth 1 -regex ".*/$name-\(crash\|timeout\|oom\|leak\)-.*" | wc -l)
     report "$name" "$kept.log" $((SECONDS - begin)) "$crashes" >>"$table"
-    if [ $status -eq 0 ]; then
-        echo "ok fuzz $name: $(stat number_of_executed_units "$kept.log") inputs"
+    executed=$(stat number_of_executed_units "$kept.log")
+    if [ $status -eq 0 ] && [ "${executed:-0}" -gt 0 ]; then
+        echo "ok fuzz $name: $executed inputs"
     else
         echo "not ok fuzz $name: $(find "$(dirname "$kept")" -maxdepth 1 -name "$name-*-*" | head -n 1)"
         grep -av '^tdsp: warning:' "$kept.log" | tail -n 60 >&2

@@ -7,6 +7,7 @@ cd "$(dirname "$0")/../.." || exit 1
 
 analyzer=$1
 shift
+[ $# -gt 0 ] || { echo "not ok $analyzer: no files"; exit 1; }
 report=$(mktemp)
 trap 'rm -f "$report"' EXIT
 flags=(-std=c99 -D_POSIX_C_SOURCE=200809L -Iinclude -Isrc -Itools)

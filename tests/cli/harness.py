@@ -63,6 +63,19 @@ def expect(condition, what):
         raise AssertionError(what)
 
 
+def all_files(folder, pattern):
+    """At least one: a test that goes through them must not pass where there are none."""
+    found = sorted(pathlib.Path(folder).glob(pattern))
+    expect(found, f"no {pattern} in {folder}")
+    return found
+
+
+def paired(found, wanted):
+    """The pairs of two lists, which are to be of the same length."""
+    expect(len(found) == len(wanted), f"{len(found)}, not {len(wanted)}: {found}")
+    return zip(found, wanted)
+
+
 def expect_equal(found, wanted, what="value"):
     if found != wanted:
         raise AssertionError(f"{what}: {found!r}, not {wanted!r}")

@@ -6,7 +6,7 @@ import math
 import os
 import pathlib
 
-from harness import GAP_CLOSES, LAST, ROOT, SCENES, TWO_DISCS, built, done, expect, expect_equal, expect_near, fails, main, scene, tdsp, test, write
+from harness import GAP_CLOSES, LAST, ROOT, SCENES, TWO_DISCS, all_files, built, done, expect, expect_equal, expect_near, fails, main, paired, scene, tdsp, test, write
 
 STATUSES = {"ok", "source_covered", "destination_covered", "cut_off", "arrival_too_early", "horizon", "outside_table", "unreachable"}
 
@@ -163,8 +163,7 @@ def legs_have_the_promised_keys():
 def path_as_text_has_one_line_a_leg():
     legs = done("path", scene(), 12, "--json").json["legs"]
     rows = done("path", scene(), 12).rows()
-    expect_equal(len(rows), len(legs))
-    for row, leg in zip(rows, legs):
+    for row, leg in paired(rows, legs):
         expect_equal([float(cell) for cell in row[:2] + row[3:7]], [leg["start_time"], leg["end_time"], *leg["from"], *leg["to"]])
 
 
@@ -187,7 +186,7 @@ def a_departure_without_a_path_prints_none_and_exits_1():
 
 @test
 def shipped_scenes_answer_with_known_statuses():
-    for file in sorted(SCENES.glob("*.json")):
+    for file in all_files(SCENES, "*.json"):
         for one in done("arrive", file, 0, 10, "--json").json["results"]:
             expect(one["status"] in STATUSES, one)
             expect((one["arrival"] is None) == (one["status"] != "ok"), one)
@@ -206,11 +205,11 @@ def real_scenes_arrive_when_an_independent_solver_says():
     names = [name for name in sorted(known) if len((folder / f"{name}.json").read_bytes()) < 20000]
     for name in names:
         file = folder / f"{name}.json"
-        for one, (_, wanted) in zip(ask("arrive", file, known[name]["arrivals"]), known[name]["arrivals"]):
+        for one, (_, wanted) in paired(ask("arrive", file, known[name]["arrivals"]), known[name]["arrivals"]):
             expect((one["arrival"] is None) == (wanted is None), f"{name}: {one}, not {wanted}")
             if wanted is not None:
                 expect_near(one["arrival"], wanted, 1e-8 * wanted, f"{name} at {one['departure']}")
-        for one, (_, wanted) in zip(ask("depart", file, known[name]["departures"]), known[name]["departures"]):
+        for one, (_, wanted) in paired(ask("depart", file, known[name]["departures"]), known[name]["departures"]):
             expect((one["departure"] is None) == (wanted is None), f"{name}: {one}, not {wanted}")
             if wanted is not None:
                 expect_near(one["departure"], wanted, 1e-7 * one["arrival"], f"{name} by {one['arrival']}")

@@ -9,7 +9,7 @@ import random
 import subprocess
 import xml.etree.ElementTree
 
-from harness import SCENES, TDSP, TWO_DISCS, done, expect, expect_equal, expect_near, fails, main, scene, test, tdsp, write
+from harness import SCENES, TDSP, TWO_DISCS, done, expect, expect_equal, expect_near, fails, main, paired, scene, test, tdsp, write
 
 GPX = "{http://www.topografix.com/GPX/1/1}"
 EPOCH = ("--epoch", "2026-06-01T12:00:00Z")
@@ -208,8 +208,8 @@ def places_come_back_from_the_plane_to_a_hundredth_of_a_micrometre():
         done("convert", "a.json", f"--origin={origin[0]},{origin[1]}", "-o", "a.geojson")
         found = converted("a.geojson")
         expect_equal(found["georeference"]["origin"], origin)
-        for a, b in zip([found["source"], found["destination"], *[disc["center"] for disc in found["discs"]]],
-                        [wanted["source"], wanted["destination"], *[disc["center"] for disc in wanted["discs"]]]):
+        for a, b in paired([found["source"], found["destination"], *[disc["center"] for disc in found["discs"]]],
+                           [wanted["source"], wanted["destination"], *[disc["center"] for disc in wanted["discs"]]]):
             expect_near(math.dist(a, b), 0, 1e-8, f"about {origin}")
 
 

@@ -6,7 +6,7 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "independent"))
 
-from harness import GAP_CLOSES, done, expect, expect_equal, expect_near, fails, main, scene, test, write  # noqa: E402
+from harness import GAP_CLOSES, done, expect, expect_equal, expect_near, fails, main, paired, scene, test, write  # noqa: E402
 from read_matrix import Matrix  # noqa: E402
 
 FROM = "-10,0,gate\n# a comment\n-10 5 north pier\n\n0,3 # covered\n"
@@ -28,7 +28,7 @@ def a_matrix_answers_like_the_exact_solver_between_its_places():
         for j, end in enumerate(("10,0", "0,9", "-10,0")):
             exact = done("arrive", "scene.json", 0, 5, 9, f"--from={start}", f"--to={end}", "--json").json["results"]
             given = done("query", "m.tdspm", 0, 5, 9, "--from", i, "--to", j, "--json").json["results"]
-            for one, other in zip(exact, given):
+            for one, other in paired(exact, given):
                 expect(other["lower"] <= one["arrival"] <= other["upper"], f"{one} is outside {other}")
 
 
@@ -57,7 +57,7 @@ def a_table_in_a_matrix_is_that_of_build_between_the_places_up_to_rounding():
     done("build", "scene.json", "--from=-10,5", "--to", "0,9", "--horizon", 30, "-o", "t.tdsp")
     one = done("query", "t.tdsp", 0, 10, 20, "--json").json["results"]
     other = done("query", "m.tdspm", 0, 10, 20, "--from", 1, "--to", 1, "--json").json["results"]
-    for a, b in zip(one, other):
+    for a, b in paired(one, other):
         expect_near(a["upper"], b["upper"], 0.02 * a["upper"])
 
 

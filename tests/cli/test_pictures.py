@@ -7,7 +7,7 @@ import struct
 import xml.etree.ElementTree as xml
 import zlib
 
-from harness import ROOT, SCENES, TWO_DISCS, built, done, expect, expect_equal, fails, main, scene, test, write
+from harness import ROOT, SCENES, TWO_DISCS, all_files, built, done, expect, expect_equal, fails, main, scene, test, write
 
 
 def png_size(name):
@@ -161,7 +161,7 @@ def names_that_are_no_text_are_drawn_none_the_less():
 
 @test
 def every_shipped_scene_is_drawn():
-    for file in sorted(SCENES.glob("*.json")):
+    for file in all_files(SCENES, "*.json"):
         done("plot", file, "-o", "a.svg")
         svg_counts("a.svg")
 
@@ -185,7 +185,7 @@ def a_file_that_is_nothing_is_refused():
 def tables_of_every_make_are_drawn_and_told():
     """With jumps at the last row, without known gaps, with and without units, of one row, of bytes for paths."""
     for folder in ("independent/golden", "golden/answered"):
-        for table in sorted((ROOT / "tests" / folder).glob("*.tdsp")):
+        for table in all_files(ROOT / "tests" / folder, "*.tdsp"):
             report = done("info", table, "--json").json
             text = done("info", table).out
             done("plot", table, "-o", "a.svg")

@@ -67,6 +67,7 @@ def pieces_of_a_real_scene_follow_one_another():
         expect(before["change"] != "end", before)
     jumps = done("jumps", SCENES / "ships-galveston-anchorage.json", "--json").json["jumps"]
     ends = [piece["until"] for piece in pieces if piece["change"] == "jump"]
+    expect(jumps, "no jumps")
     for jump in jumps:
         expect(any(abs(jump["departure"] - end) < 1e-6 for end in ends), jump)
 

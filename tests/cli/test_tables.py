@@ -4,7 +4,7 @@
 import pathlib
 import struct
 
-from harness import GAP_CLOSES, LAST, ROOT, SCENES, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
+from harness import GAP_CLOSES, LAST, ROOT, SCENES, all_files, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
 
 
 def departures(count=60, last=LAST):
@@ -295,7 +295,7 @@ def other_files_are_no_tables():
 
 @test
 def every_shipped_scene_builds_a_table_that_verifies():
-    for file in sorted(SCENES.glob("*.json")):
+    for file in all_files(SCENES, "*.json"):
         done("build", file, "-o", "t.tdsp", "--epsilon", 0.05)
         expect(done("verify", file, "t.tdsp", "--deep", 3, "--json").json["ok"], file)
 

@@ -3,7 +3,7 @@
 """Answers within a share of the best: `tdsp arrive --within` and `tdsp path --within`."""
 import json
 
-from harness import SCENES, built, done, expect, expect_equal, expect_near, fails, main, scene, test, write
+from harness import SCENES, built, done, expect, expect_equal, expect_near, fails, main, paired, scene, test, write
 
 REAL = ["fire-oregon-c.json", "fire-greece.json", "ships-long-beach.json", "ships-galveston-anchorage.json", "two-discs.json"]
 ERROR = 1e-9  # of the solver and of printing, relative to the travel time
@@ -18,7 +18,7 @@ def crowd(n, seed=1):
 
 
 def check_promise(file, times, delta):
-    for one, best in zip(results(file, *times, "--within", delta), results(file, *times)):
+    for one, best in paired(results(file, *times, "--within", delta), results(file, *times)):
         expect_equal(one["status"], best["status"], file)
         if best["arrival"] is None:
             expect_equal([one["arrival"], one["lower"]], [None, None])

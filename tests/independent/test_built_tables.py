@@ -72,7 +72,9 @@ def check_info(table, file):
 
 
 def check_arrivals(table, file, times):
-    for answer in tdsp("query", file, *map(repr, times))["results"]:
+    answers = tdsp("query", file, *map(repr, times))["results"]
+    same("departures answered", [answer["departure"] for answer in answers], times)
+    for answer in answers:
         expected = table.arrive(answer["departure"])
         row = {"lower": expected[1], "upper": expected[2], "status": "ok"} if expected else {
             "lower": None, "upper": None, "status": table.last_reason}
@@ -82,7 +84,9 @@ def check_arrivals(table, file, times):
 def check_departures(table, file, chance):
     arrivals = [chance.uniform(0, table.departures[-1] + 1.1 * table.left[-1]) for _ in range(20)]
     arrivals += [table.departures[i] + table.left[i] for i in chance.sample(range(table.rows), min(5, table.rows))]
-    for answer in tdsp("query", file, "--arrive-by", *map(repr, arrivals))["results"]:
+    answers = tdsp("query", file, "--arrive-by", *map(repr, arrivals))["results"]
+    same("arrivals answered", [answer["arrival"] for answer in answers], arrivals)
+    for answer in answers:
         expected = table.depart(answer["arrival"]) or (None, None)
         same("arrive by %r" % answer["arrival"], [answer["departure"], answer["departure_upper"]], [finite(x) for x in expected])
 

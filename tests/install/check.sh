@@ -8,25 +8,12 @@ cd "$(dirname "$0")/../.." || exit 1
 unset MAKEFLAGS MAKELEVEL
 make=$1
 build=$2
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. tests/support/steps.sh
+kind=install
+scratch
 dest=$work/dest
 prefix=/opt/tdsp
 here=$dest$prefix
-failed=0
-
-# step SENTENCE COMMAND...: the command's output matters only when it fails.
-step() {
-    local sentence=$1
-    shift
-    if "$@" >"$work/log" 2>&1; then
-        echo "ok install: $sentence"
-    else
-        echo "not ok install: $sentence"
-        cat "$work/log" >&2
-        failed=1
-    fi
-}
 flags() { PKG_CONFIG_SYSROOT_DIR=$dest PKG_CONFIG_PATH=$here/lib/pkgconfig pkg-config "$@" tdsp; }
 build_shared() {
     # shellcheck disable=SC2046
@@ -47,6 +34,8 @@ all_files() {
         [ -s "$here/$file" ] || { echo "$file is not there"; return 1; }
     done
 }
+# All of the listing is read: who stops at the first hit may end the lister, and seem to have found nothing.
+links_libtdsp() { [ -n "$(readelf -d "$1" | grep libtdsp)" ]; }
 has_soname() { readelf -d "$work/shared" | grep -q "NEEDED.*\[libtdsp\.so\.[0-9]*\]"; }
 build_query() {
     # shellcheck disable=SC2046
@@ -55,8 +44,8 @@ build_query() {
 }
 build_by_cmake() { cmake -S tests/install -B "$work/cmake" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/cmake"; }
 by_cmake_shared() { readelf -d "$work/cmake/shared" | grep -q "NEEDED.*\[libtdsp\.so\.[0-9]*\]" && "$work/cmake/shared"; }
-by_cmake_static() { ! readelf -d "$work/cmake/static" | grep -q libtdsp && "$work/cmake/static"; }
-by_cmake_query() { ! readelf -d "$work/cmake/query" | grep -q libtdsp && "$work/cmake/query"; }
+by_cmake_static() { ! links_libtdsp "$work/cmake/static" && "$work/cmake/static"; }
+by_cmake_query() { ! links_libtdsp "$work/cmake/query" && "$work/cmake/query"; }
 # The lines of docs/packaging.md, over the program of README.md.
 block() { sed -n "/^\`\`\`$1\$/,/^\`\`\`\$/p" "$2" | sed '1d;/^```$/,$d'; }
 build_as_the_page_says() {
@@ -68,7 +57,7 @@ build_as_the_page_says() {
 as_the_page_says() { [ "$("$work/page/build/program")" = "arrive at 20.0000, or leave by 9.8496" ]; }
 without_the_shared_library() {
     rm "$here"/lib/libtdsp.so* && cmake -S tests/install -B "$work/archives" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/archives" &&
-        ! readelf -d "$work/archives/shared" | grep -q libtdsp && "$work/archives/shared"
+        ! links_libtdsp "$work/archives/shared" && "$work/archives/shared"
 }
 runs_shared() { LD_LIBRARY_PATH=$here/lib "$work/shared"; }
 nothing_left() { [ -z "$(find "$dest" -type f -o -type l)" ] || { find "$dest" -type f -o -type l; return 1; }; }

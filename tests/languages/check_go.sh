@@ -10,8 +10,8 @@ in_go() { (cd examples/go && "$@"); }
 formatted() { [ -z "$(gofmt -l examples/go | tee /dev/stderr)" ]; }
 must "read_table compiles" in_go go build -o "$work/read_table" ./read_table
 must "custom_oracle compiles" in_go go build -o "$work/custom_oracle" ./custom_oracle
-expect "is laid out by gofmt" formatted
-expect "go vet finds nothing" in_go go vet ./...
+step "is laid out by gofmt" formatted
+step "go vet finds nothing" in_go go vet ./...
 read_table "$work/read_table"
 custom_oracle "$work/custom_oracle"
 

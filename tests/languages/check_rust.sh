@@ -35,6 +35,6 @@ pub fn f(bytes: Vec<u8>) -> f64 {
     table.arrival(0.0).unwrap().upper
 }
 END
-expect "a solver that outlives its scene does not compile" outlives "$work/solver.rs"
-expect "a table that outlives borrowed bytes does not compile" outlives "$work/view.rs"
+step "a solver that outlives its scene does not compile" outlives "$work/solver.rs"
+step "a table that outlives borrowed bytes does not compile" outlives "$work/view.rs"
 exit $failed

@@ -5,27 +5,17 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit 1
 build=$1
 work=$build/languages/$language
 golden=tests/golden/answered/two-discs.tdsp
+. tests/support/steps.sh
+kind=$language
+log=$work/said
+mkdir -p "$work"
 failed=0
 mkdir -p "$work"
 export LD_LIBRARY_PATH=$build${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 
-# expect NAME COMMAND...: one line for a command that has to succeed; what it says otherwise.
-expect() {
-    local name=$1
-    shift
-    if "$@" >"$work/said" 2>&1; then
-        echo "ok $language $name"
-    else
-        echo "not ok $language $name"
-        tail -n 40 "$work/said" >&2
-        failed=1
-        return 1
-    fi
-}
-
 # Without what it is made of there is nothing to run.
 must() {
-    expect "$@" || exit 1
+    step "$@" || exit 1
 }
 
 alike() {
@@ -47,16 +37,16 @@ refuses() {
 
 # The three checks that all programs share: read_table PROGRAM
 read_table() {
-    expect "prints what C prints, to the bit, and makes the same table" alike "$build/examples/read_table" "$1" $golden
+    step "prints what C prints, to the bit, and makes the same table" alike "$build/examples/read_table" "$1" $golden
     echo "no table" >"$work/text.tdsp"
     : >"$work/empty.tdsp"
     head -c 1000 $golden >"$work/cut.tdsp"
-    expect "refuses a file that is no table" refuses "$1" "$work/text.tdsp" "These bytes are not a table"
-    expect "refuses an empty file" refuses "$1" "$work/empty.tdsp" "These bytes are not a table"
-    expect "refuses a table that was cut" refuses "$1" "$work/cut.tdsp" "The table is shorter or longer than it says"
-    expect "names a file that is not there" refuses "$1" "$work/none.tdsp" ""
+    step "refuses a file that is no table" refuses "$1" "$work/text.tdsp" "These bytes are not a table"
+    step "refuses an empty file" refuses "$1" "$work/empty.tdsp" "These bytes are not a table"
+    step "refuses a table that was cut" refuses "$1" "$work/cut.tdsp" "The table is shorter or longer than it says"
+    step "names a file that is not there" refuses "$1" "$work/none.tdsp" ""
 }
 
 custom_oracle() {
-    expect "samples an oracle of its own, to the table of the C example" alike "$build/examples/custom_oracle" "$1"
+    step "samples an oracle of its own, to the table of the C example" alike "$build/examples/custom_oracle" "$1"
 }

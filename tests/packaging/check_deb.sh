@@ -10,19 +10,9 @@ version=$2
 root=$3
 mirror=${MIRROR:-http://deb.debian.org/debian}
 suite=${SUITE:-bookworm}
-failed=0
-
-step() {
-    local sentence=$1
-    shift
-    if "$@" >"$root.log" 2>&1; then
-        echo "ok root: $sentence"
-    else
-        echo "not ok root: $sentence"
-        tail -n 30 "$root.log" >&2
-        failed=1
-    fi
-}
+. "$(dirname "$0")/../support/steps.sh"
+kind=root
+log=$(realpath -m "$root").log
 # Nothing of the outside's environment is inside.
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 install="apt-get install -y -q --no-install-recommends"
@@ -70,5 +60,5 @@ step "a reader builds against the archive of the reader alone" script 'cd /proje
 step "a CMake project builds, shared and static, and runs" script 'cd /project && cmake -S . -B made && cmake --build made && made/shared && made/static && made/query'
 step "python3-tdsp installs" install_python
 step "Python solves and builds a table" script 'cd /project && python3 use.py'
-step "the packages go without a trace" script 'apt-get purge -y -q python3-tdsp libtdsp-dev tdsp-tools libtdsp0 && ! find / -xdev \( -name "*tdsp*" \) -not -path "/debs/*" -not -path "/project/*" -not -path "/proc/*" | grep .'
+step "the packages go without a trace" script 'apt-get purge -y -q python3-tdsp libtdsp-dev tdsp-tools libtdsp0 && left=$(find / -xdev -name "*tdsp*" -not -path "/debs/*" -not -path "/project/*" -not -path "/proc/*") && echo "$left" && [ -z "$left" ]'
 exit $failed

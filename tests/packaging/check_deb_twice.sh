@@ -9,20 +9,9 @@ version=$2
 work=$3
 first=$work/first
 second=$work/second/in/a/deeper/place
-failed=0
-
-step() {
-    local sentence=$1 log=$work/log
-    shift
-    mkdir -p "$work"
-    if "$@" >"$log" 2>&1; then
-        echo "ok deb: $sentence"
-    else
-        echo "not ok deb: $sentence"
-        tail -n 30 "$log" >&2
-        failed=1
-    fi
-}
+. "$(dirname "$0")/../support/steps.sh"
+kind=deb
+log=$work/log
 build_first() { TZ=UTC DEB_BUILD_OPTIONS=parallel=2 tools/dist/deb.sh "$release" "$version" "$first"; }
 build_second() {
     umask 0027

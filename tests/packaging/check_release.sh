@@ -7,22 +7,10 @@ unset MAKEFLAGS MAKELEVEL BUILD
 make=$1
 release=$(realpath "$2")
 version=$3
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. "$(dirname "$0")/../support/steps.sh"
+kind=release
+scratch
 cd "$work" || exit 1
-failed=0
-
-step() {
-    local sentence=$1
-    shift
-    if "$@" >"$work/log" 2>&1; then
-        echo "ok release: $sentence"
-    else
-        echo "not ok release: $sentence"
-        tail -n 20 "$work/log" >&2
-        failed=1
-    fi
-}
 tree=$work/libtdsp-$version
 tdsp=$work/dest/usr/bin/tdsp
 certified() { "$tdsp" build "$tree/examples/scenes/two-discs.json" -o t.tdsp && "$tdsp" verify "$tree/examples/scenes/two-discs.json" t.tdsp --deep 5; }

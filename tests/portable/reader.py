@@ -44,8 +44,9 @@ def ask(machine, program, paths):
 def same(line, recorded):
     if line == recorded or not recorded.startswith("about"):
         return line == recorded
-    pairs = zip(line.split()[1:], recorded.split()[1:])
-    return line.startswith("about") and all(abs(float(x) - float(y)) <= 1e-12 * max(1.0, abs(float(y))) for x, y in pairs)
+    found, wanted = line.split(), recorded.split()
+    pairs = zip(found[1:], wanted[1:])
+    return found[:1] == ["about"] and len(found) == len(wanted) and all(abs(float(x) - float(y)) <= 1e-12 * max(1.0, abs(float(y))) for x, y in pairs)
 
 
 def report(name, found, recorded):

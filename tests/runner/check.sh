@@ -4,10 +4,9 @@
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+. tests/support/steps.sh
+scratch
 gcc -std=c99 -Wall -Wextra -Werror tests/runner/traps.c -lcmocka -o "$work/traps" || exit 1
-failed=0
 
 # expect COUNTS SENTENCE COMMAND...
 expect() {

@@ -6,7 +6,7 @@ import { Sampler } from "tdsp/sampler.js";
 
 const QUIET = 140; // milliseconds without a change before a worker is asked
 const FRAME_BUDGET = 6; // milliseconds of a frame for samples
-const QUICK_LAST = 5; // milliseconds: a question for the last departure that takes longer goes to the worker
+const QUICK_LAST = 8; // milliseconds: a question for the last departure that takes longer goes to the worker
 const HORIZON_TRIPS = 4; // where no disc ends the departures, the curve ends after about so many travel times
 
 /** A round number of about this size, not below it. @param {number} value */
@@ -39,11 +39,13 @@ export class Answers {
   /** The prepared scene, or null. @type {any} */ scene = null;
   /** A table that was opened, or null. @type {any} */ table = null;
   #sampler = null;
+  #retired = [];
   #sampling = 0;
   #quiet = 0;
   #jobs = { shape: new AbortController(), table: new AbortController() };
   #lastCost = 0;
   #epsilon = 0.01;
+  #shaped = false; // all jumps of this scene are known
 
   /** @param {any} core @param {any} remote @param {() => void} changed called when something more is known */
   constructor(core, remote, changed) {
@@ -75,7 +77,7 @@ export class Answers {
     if (before.discs === description.discs && before.robot === description.robot) this.scene.setEnds(description.source, description.destination);
     else {
       const scene = this.core.scene(description);
-      this.scene.free();
+      this.#retired.push(this.scene);
       this.scene = scene;
     }
     this.found = { ...this.found, stale: true, tableStale: true };
@@ -97,6 +99,20 @@ export class Answers {
     this.#wait(true);
   }
 
+  /** The exact travel time of a departure. */
+  travel(departure) {
+    const { path } = this.found;
+    if (path?.departure === departure && path.status === "ok") return path.arrival - departure;
+    const answer = this.scene?.arrival(departure);
+    return answer?.travelTime ?? NaN;
+  }
+
+  /** Give back the memory of scenes that were replaced: to be called when nothing draws them any more. */
+  sweep() {
+    for (const scene of this.#retired) scene.free();
+    this.#retired = [];
+  }
+
   /** The end of the curve: a departure. */
   get until() {
     const { last, horizon } = this.found;
@@ -109,7 +125,7 @@ export class Answers {
     cancelAnimationFrame(this.#sampling);
     this.#sampling = 0;
     this.#sampler = null;
-    this.scene?.free();
+    if (this.scene) this.#retired.push(this.scene);
     this.table?.free();
     this.found.built?.table.free();
     this.scene = this.table = null;
@@ -126,6 +142,7 @@ export class Answers {
   /** The scene is new or edited: what is quick now, the rest later. */
   #begin() {
     this.#callOff();
+    this.#shaped = false;
     if (this.#lastCost < QUICK_LAST) {
       const began = performance.now();
       this.#learnLast(this.scene.last());
@@ -163,7 +180,7 @@ export class Answers {
 
   #wait(tableOnly) {
     clearTimeout(this.#quiet);
-    const shape = !tableOnly || this.found.stale || this.found.jumps === null;
+    const shape = !tableOnly || !this.#shaped;
     this.found = { ...this.found, working: true };
     this.#quiet = setTimeout(() => this.#workLater(shape), QUIET);
   }
@@ -192,6 +209,7 @@ export class Answers {
     const options = this.found.horizon === null ? { signal } : { signal, until: this.found.horizon };
     const { jumps, problem } = await settled(this.remote.jumps(scene.description, options), "jumps");
     if (signal.aborted) return;
+    this.#shaped = true;
     this.found = { ...this.found, jumps: jumps ?? [], problems: { ...this.found.problems, jumps: problem }, stale: false };
     this.changed();
   }
@@ -206,7 +224,9 @@ export class Answers {
     const seconds = (performance.now() - began) / 1000;
     const table = built ? this.core.table(built.bytes) : null;
     this.found.built?.table.free();
-    this.found = { ...this.found, tableStale: false, built: built ? { ...built, seconds, epsilon, table } : null, problems: { ...this.found.problems, table: problem } };
+    // A table knows its jumps, and is often there before the worker has found all of them.
+    const jumps = this.found.jumps ?? table?.jumps().filter((jump) => Number.isFinite(jump.size)) ?? null;
+    this.found = { ...this.found, jumps, tableStale: false, built: built ? { ...built, seconds, epsilon, table } : null, problems: { ...this.found.problems, table: problem } };
     this.changed();
   }
 }

@@ -49,7 +49,7 @@ export class Controls {
     onNumber(byId("departure-number"), leave);
     onSlide(byId("deadline"), arrive);
     onNumber(byId("deadline-number"), arrive);
-    byId("deadline-on").addEventListener("change", (event) => arrive(event.target.checked ? Number(byId("deadline").max) * 0.6 : null));
+    byId("deadline-on").addEventListener("change", (event) => arrive(event.target.checked ? middle(byId("deadline")) : null));
     for (const radio of document.querySelectorAll('input[name="mode"]')) radio.addEventListener("change", () => store.dispatch({ type: "mode", mode: radio.value }));
   }
 
@@ -132,9 +132,10 @@ export class Controls {
     const disc = selected?.what === "disc" ? scene.discs[selected.index] : null;
     const values = { "thing-x": place?.[0], "thing-y": place?.[1], "thing-radius": disc?.radius, "thing-growth": disc && JSON.stringify(disc.growth) };
     for (const [id, value] of Object.entries(values)) {
-      byId(id).disabled = value === undefined || value === null;
+      byId(id).parentElement.hidden = value === undefined || value === null;
       setValue(byId(id), value ?? "");
     }
+    byId("thing-hint").hidden = selected !== null;
     byId("remove-disc").disabled = disc === null;
   }
 
@@ -146,12 +147,12 @@ export class Controls {
     list.replaceChildren(...names.map((name) => new Option(name, name)));
   }
 
-  /** Show how far the times can go. @param {{until: number, arrival: number, departure: number, deadline: number|null, units: {length: string, time: string}}} times */
-  showTimes({ until, arrival, departure, deadline, units }) {
+  /** Show how far the times can go. @param {{until: number, first: number, arrival: number, departure: number, deadline: number|null, units: {length: string, time: string}}} times */
+  showTimes({ until, first, arrival, departure, deadline, units }) {
     const most = Math.max(until * 1.04, departure, 1e-9);
-    ranged(byId("departure"), most, departure);
+    ranged(byId("departure"), 0, most, departure);
     setValue(byId("departure-number"), tidy(departure));
-    ranged(byId("deadline"), Math.max(arrival, deadline ?? 0), deadline ?? 0);
+    ranged(byId("deadline"), Math.min(first, deadline ?? first), Math.max(arrival, deadline ?? 0), deadline ?? first);
     setValue(byId("deadline-number"), deadline === null ? "" : tidy(deadline));
     byId("deadline-on").checked = deadline !== null;
     for (const id of ["deadline", "deadline-number"]) byId(id).disabled = deadline === null;
@@ -163,7 +164,8 @@ export class Controls {
   showTable({ built, problem, none, stale }) {
     const facts = byId("table-facts");
     facts.classList.toggle("stale", stale);
-    for (const button of document.querySelectorAll('[data-save="table"], #copy-command')) button.disabled = !built || stale;
+    byId("copy-command").disabled = !built || stale;
+    for (const button of document.querySelectorAll('[data-save="table"]')) button.disabled = (!built || stale) && !this.store.state.bytes;
     if (none ?? problem) facts.textContent = none ?? problem;
     else if (built) showFacts(facts, buildWords(built.report, built.seconds));
     else facts.textContent = "computing…";
@@ -173,7 +175,10 @@ export class Controls {
 /** A number as people type it: no digits that only a computer reads. */
 const tidy = (value) => Number(value.toPrecision(7));
 
-function ranged(input, most, value) {
+const middle = (input) => (Number(input.min) + Number(input.max)) / 2;
+
+function ranged(input, least, most, value) {
+  if (input.min !== String(least)) input.min = String(least);
   if (input.max !== String(most)) input.max = String(most);
   setValue(input, value);
   input.setAttribute("aria-valuetext", number(value, 6));

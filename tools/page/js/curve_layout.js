@@ -33,7 +33,7 @@ export function reasonWords(reason) {
 /** @param {CurveState} state */
 export function legendOf(state) {
     const items = [];
-    if (state.curve.count > 0) items.push({ kind: "curve", wide: 24, text: state.mode === "arrival" ? "earliest arrival, exact" : "travel time, exact" });
+    if (state.curve.count > 0) items.push({ kind: "curve", wide: 24, text: curveName(state) });
     if (state.rows) items.push({ kind: "band", wide: 24, text: "certified by the table" });
     if (state.jumps.length > 0) items.push({ kind: "jump", wide: 10, text: `jump${state.jumps.length === 1 ? "" : "s"} (${state.jumps.length})` });
     return items;
@@ -68,6 +68,12 @@ export function arrangeCurve(state, width, height, measure) {
 /** Where a departure and its travel time are. @param {CurveState} state */
 export function placeOf(state, frame, departure, travel) {
     return { x: frameX(frame, departure), y: frameY(frame, valueOf(state.mode, departure, travel)) };
+}
+
+/** @param {CurveState} state */
+function curveName({ mode, stored }) {
+    if (stored) return mode === "arrival" ? "arrival by the stored path" : "travel time of the stored path";
+    return mode === "arrival" ? "earliest arrival, exact" : "travel time, exact";
 }
 
 /** The curve as what labels had better not hide. @param {CurveState} state @param {Labels} labels */

@@ -18,6 +18,7 @@ import { withUnit } from "tdsp/numbers.js";
  * All that a picture of a curve shows.
  * @typedef {object} CurveState
  * @property {import("tdsp/curve_data.js").Curve} curve
+ * @property {boolean} stored the curve is that of the table's paths: no exact one is known
  * @property {import("tdsp/curve_data.js").Rows|null} rows
  * @property {import("tdsp/curve_data.js").Jump[]} jumps
  * @property {import("tdsp/curve_data.js").Last|null} last

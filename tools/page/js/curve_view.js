@@ -5,7 +5,7 @@
  * to it is told by the callbacks; only what the mouse points at is the view's own too.
  */
 import { frameX } from "tdsp/axes.js";
-import { curveOf, curveWindow, lastShown, latestDeparture, travelAt } from "tdsp/curve_data.js";
+import { curveOf, curveWindow, lastShown, latestDeparture, stairsOf, travelAt } from "tdsp/curve_data.js";
 import { CurveGestures } from "tdsp/curve_gestures.js";
 import { arrangeCurve, deadlineLine, layoutCurve } from "tdsp/curve_layout.js";
 import { drawCurveGround, drawCurveLive } from "tdsp/curve_picture.js";
@@ -83,7 +83,8 @@ export class CurveView {
 
     takeCurve() {
         const { state, given } = this;
-        state.curve = curveOf(given.samples, state.jumps, state.last);
+        state.stored = given.samples === null && state.rows !== null;
+        state.curve = state.stored ? stairsOf(state.rows) : curveOf(given.samples, state.jumps, state.last);
         state.window = curveWindow(state.curve, state.last, state.mode, state.rows);
         state.travel = given.evaluate ?? ((departure) => travelAt(state.curve, departure));
         state.leaveBy = state.deadline === null ? null : given.leaveBy ?? latestDeparture(state.curve, state.deadline);
@@ -201,7 +202,7 @@ function distance({ from, to }, x, y) {
 function blankState(palette) {
     const curve = curveOf(null, [], null);
     return {
-        curve, rows: null, jumps: [], last: null, travel: () => NaN, departure: null, hover: null, deadline: null, leaveBy: null, mode: "travel", units: { time: "" },
+        curve, stored: false, rows: null, jumps: [], last: null, travel: () => NaN, departure: null, hover: null, deadline: null, leaveBy: null, mode: "travel", units: { time: "" },
         window: curveWindow(curve, null, "travel", null), palette, message: "", legend: true, head: 0, grabbed: false, focused: false,
     };
 }

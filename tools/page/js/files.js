@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Scenes and tables from files and back to files. Which of the two a file is, its first bytes say, as on the command line. What is wrong with one becomes a
 // sentence that names the file, the place and the reason.
-import { JsonError, locate, parseJson } from "tdsp/json.js";
+import { parseJson } from "tdsp/core_json.js";
+import { locate } from "tdsp/locate.js";
 
 const MAGIC = [0x89, 0x54, 0x44, 0x53, 0x50, 0x0d, 0x0a, 0x1a];
 /** Larger files are not scenes that a page can show. */
@@ -14,22 +15,13 @@ const isTable = (bytes) => MAGIC.every((byte, i) => bytes[i] === byte);
 /** A file's name without its folder and its ending. */
 export const stem = (name) => name.replace(/^.*[/\\]/, "").replace(/\.(json|tdsp)$/i, "");
 
-function textOf(name, bytes) {
+/** @returns {any} */
+function sceneOf(name, bytes) {
   try {
-    return new TextDecoder("utf-8", { fatal: true }).decode(bytes);
-  } catch {
-    throw new FileError(`${name} is neither a scene nor a table: it does not begin like a table, and it is not text in UTF-8.`);
-  }
-}
-
-function sceneOf(name, text) {
-  try {
-    const scene = parseJson(text);
-    if (scene === null || typeof scene !== "object" || Array.isArray(scene)) throw new FileError(`${name} is no scene: a scene is an object with "robot", "source", "destination" and "discs".`);
-    return scene;
+    return parseJson(bytes);
   } catch (error) {
-    if (error instanceof JsonError) throw new FileError(`${name}, line ${error.line}, column ${error.column}: ${error.message}.`);
-    throw error;
+    if (!error.status) throw error;
+    throw new FileError(`${name}${error.where ? ", " : ": "}${error.message}.`);
   }
 }
 
@@ -37,8 +29,7 @@ function sceneOf(name, text) {
 export function openBytes(name, bytes) {
   if (bytes.length === 0) throw new FileError(`${name} is empty.`);
   if (isTable(bytes)) return { name: stem(name), bytes };
-  const text = textOf(name, bytes);
-  return { name: stem(name), scene: sceneOf(name, text), text };
+  return { name: stem(name), scene: sceneOf(name, bytes), text: new TextDecoder().decode(bytes) };
 }
 
 /** @param {File} file */

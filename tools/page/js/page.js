@@ -8,7 +8,7 @@ import { Playback } from "tdsp/playback.js";
 import { SceneView } from "tdsp/scene_view.js";
 import { effectiveScene, reduce } from "tdsp/state.js";
 import { showTables } from "tdsp/tables.js";
-import { answerWords, curveWords, reasonWords, sceneWords, tableWords, timeWords } from "tdsp/words.js";
+import { answerWords, curveWords, infoWords, reasonWords, sceneWords, tableWords, timeWords } from "tdsp/words.js";
 
 const SPOKEN_AFTER = 900; // milliseconds of quiet before the sentence is read aloud
 
@@ -17,6 +17,7 @@ export class Page {
   #ghost = { departure: null, path: null };
   #gesture = newGesture();
   #frame = 0;
+  #travel = (departure) => this.answers.travel(departure);
   /** What the views were told last. */
   shown = {};
   told = {};
@@ -162,10 +163,11 @@ export class Page {
     if (!state.edit && !state.bytes) return;
     const { found } = this.answers;
     this.#showScene(state, found);
+    this.answers.sweep();
     this.#showCurve(state, found);
     this.controls.show(state);
     const { departure, deadline } = state;
-    this.controls.showTimes({ until: this.answers.until, arrival: this.#lastArrival(found), departure, deadline, units: this.units });
+    this.controls.showTimes({ until: this.answers.until, first: found.samples?.arrivals[0] || 0, arrival: this.#lastArrival(found), departure, deadline, units: this.units });
     this.controls.showTable({ built: found.built, problem: found.problems.table, none: this.#noTable(state, found), stale: found.tableStale });
     this.#showWords(state, found);
     showTables({ path: found.path, jumps: found.jumps, certified: found.tableStale ? null : this.answers.table ?? found.built?.table ?? null, unit: this.units.time });
@@ -178,7 +180,7 @@ export class Page {
   }
 
   #noTable(state, found) {
-    if (state.bytes) return `${this.answers.table.info.rows} rows as they are in the file; a table is built from a scene.`;
+    if (state.bytes) return infoWords(this.answers.table.info, this.units.time);
     return found.last && found.last.departure < 0 ? `There is nothing to build: ${reasonWords(found.last.reason)} at departure 0.` : null;
   }
 
@@ -219,7 +221,7 @@ export class Page {
     const leaveBy = found.latest?.status === "ok" ? found.latest.departure : null;
     this.#tellCurve({
       samples: found.samples, table, jumps: found.jumps, last: found.last, departure: state.departure, deadline: state.deadline, leaveBy, hover: this.#ghost.departure, mode: state.mode,
-      units: state.edit?.scene.units ?? this.answers.table?.info.units ?? null, message: noCurve(found),
+      evaluate: this.answers.scene ? this.#travel : null, units: state.edit?.scene.units ?? this.answers.table?.info.units ?? null, message: noCurve(found),
     });
     byId("curve").parentElement.classList.toggle("stale", found.stale);
   }
@@ -236,7 +238,7 @@ export class Page {
     const { departure, deadline } = state;
     const unit = this.units.time;
     const spoken = this.answers.table
-      ? tableWords({ departure, answer: this.answers.table.arrival(departure), unit })
+      ? tableWords({ departure, answer: this.answers.table.arrival(departure), deadline, latest: found.latest, unit })
       : answerWords({ departure, answer: found.path, jumps: found.jumps, last: found.last, deadline, latest: found.latest, unit });
     const text = spoken.map((sentence) => sentence.text).join(" ");
     const box = byId("words");

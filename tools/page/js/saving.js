@@ -69,7 +69,6 @@ export class Saving {
     const { found, table } = this.page.answers;
     const there = { scene: this.page.store.state.edit !== null, curve: found.samples !== null || table !== null, path: (found.path?.legs.length ?? 0) > 0 };
     for (const [kind, can] of Object.entries(there)) for (const button of document.querySelectorAll(`[data-save="${kind}"]`)) button.disabled = !can;
-    if (table) for (const button of document.querySelectorAll('[data-save="table"]')) button.disabled = false;
   }
 }
 

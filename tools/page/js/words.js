@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What the pictures show, in sentences: read by people who see them, and aloud to those who do not. Pure: numbers come in, words go out.
-import { number, withUnit } from "tdsp/numbers.js";
+import { number, withUnit as spaced } from "tdsp/numbers.js";
+
+/** A number and its unit stay on one line. */
+const withUnit = (value, unit, digits) => spaced(value, unit, digits).replace(" ", "\u00a0");
 
 const NEVER = {
   source_covered: "the source is covered",
@@ -31,9 +34,16 @@ function digits(t, apart) {
   return Math.min(12, Math.max(5, Math.ceil(Math.log10(Math.abs(t) / apart)) + 1));
 }
 
-/** Whose gap closes. */
-export function gapWords(jump) {
-  return jump.gap ? `the gap between discs ${jump.gap.first} and ${jump.gap.second} closes` : "a gap closes";
+/** @param {{gap: {first: number, second: number}|null}} jump */
+const gapName = ({ gap }) => (gap ? `the gap between discs ${gap.first} and ${gap.second}` : "a gap");
+
+const JUST = 0.01; // of all departures: so little after a jump it has just been missed
+
+/** The jump that leaving at `departure` has just missed. */
+function missedWords({ departure, jumps, last, unit }) {
+  const jump = jumps?.findLast((j) => j.departure < departure);
+  if (!jump || !last || !(departure - jump.departure <= JUST * last.departure)) return [];
+  return [{ text: `${withUnit(departure - jump.departure, unit, 2)} earlier you would have slipped through ${gapName(jump)}: missing it costs ${withUnit(jump.size, unit, 3)}.`, jump: true }];
 }
 
 /** Sentences about what comes after leaving at `departure`. */
@@ -42,7 +52,7 @@ function aheadWords({ departure, jumps, last, unit }) {
   if (jump) {
     const left = jump.departure - departure;
     const when = left > 0 ? `${withUnit(left, unit, 3)} later` : "A moment later";
-    return [{ text: `${when} ${gapWords(jump)} and the way takes ${withUnit(jump.size, unit, 3)} longer.`, jump: true }];
+    return [{ text: `${when} ${gapName(jump)} closes and the way takes ${withUnit(jump.size, unit, 3)} longer.`, jump: true }];
   }
   if (!last) return [];
   if (!Number.isFinite(last.departure)) return [{ text: "Nothing ever closes the way: you may leave when you like." }];
@@ -75,7 +85,7 @@ function deadlineWords({ deadline, latest, unit }) {
  */
 export function answerWords(shown) {
   if (!shown.answer) return [];
-  const ahead = shown.answer.status === "ok" ? aheadWords(shown) : lastWords(shown);
+  const ahead = shown.answer.status === "ok" ? [...missedWords(shown), ...aheadWords(shown)] : lastWords(shown);
   return [...journeyWords(shown), ...ahead, ...deadlineWords(shown)];
 }
 
@@ -85,8 +95,10 @@ function lastWords({ last, departure, unit }) {
   return [{ text: `The last departure was ${withUnit(last.departure, unit, 5)}.` }];
 }
 
-/** A stored table's answer. @param {{departure: number, answer: {status: string, lower: number|null, upper: number|null}, unit: string}} shown */
-export function tableWords({ departure, answer, unit }) {
+/** A stored table's answer. @param {{departure: number, answer: {status: string, lower: number|null, upper: number|null}, deadline: number|null, latest: any, unit: string}} shown */
+export const tableWords = (shown) => [...storedWords(shown), ...deadlineWords(shown)];
+
+function storedWords({ departure, answer, unit }) {
   const leave = timeWords(departure, unit);
   if (answer.status !== "ok") return [{ text: `Leaving at ${leave} the table has no way: ${reasonWords(answer.status)}.`, jump: true }];
   if (answer.upper - answer.lower <= 1e-6 * answer.upper) return [{ text: `Leaving at ${leave} you arrive at ${timeWords(answer.upper, unit)}.` }];
@@ -109,14 +121,22 @@ export function curveWords({ jumps, last, mode, unit }) {
   return `${what}${end}: ${many}.`;
 }
 
+const sizeWords = (bytes) => (bytes < 10000 ? countWords(bytes, "byte") : `${number(bytes / 1000, 3)} kB`);
+
 /** @param {{rows: number, bytes: number, forwardCalls: number, reverseCalls: number}} report @param {number} seconds */
 export function buildWords(report, seconds) {
-  const size = report.bytes < 10000 ? countWords(report.bytes, "byte") : `${number(report.bytes / 1000, 3)} kB`;
-  return { rows: countWords(report.rows, "row"), size, calls: countWords(report.forwardCalls + report.reverseCalls, "search").replace(/searchs$/, "searches"),
-    time: seconds < 1 ? `${number(seconds * 1000, 2)} ms` : `${number(seconds, 3)} s` };
+  return { rows: countWords(report.rows, "row"), size: sizeWords(report.bytes), calls: countWords(report.forwardCalls + report.reverseCalls, "search").replace(/searchs$/, "searches"),
+    time: seconds < 1 ? `${number(seconds * 1000, 3)} ms` : `${number(seconds, 3)} s` };
 }
 
 const quoted = (word) => (/^[\w.-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+/** What an opened table is. @param {{rows: number, bytes: number, guarantee: string, epsilon: number|null, delta: number|null}} info @param {string} unit */
+export function infoWords({ rows, bytes, guarantee, epsilon, delta }, unit) {
+  const what = { travel: "travel times", arrival: "arrivals", absolute: "arrivals" }[guarantee];
+  const within = epsilon === null ? withUnit(delta, unit, 4) : percentWords(epsilon);
+  return `${countWords(rows, "row")}, ${sizeWords(bytes)}, as opened: ${what} within ${within}.`;
+}
 
 /** The command that makes the same table. @param {{file: string, epsilon: number, horizon: number|null}} build */
 export function buildCommand({ file, epsilon, horizon }) {

@@ -23,6 +23,8 @@ const ROUND = 2 * Math.PI;
  * @property {(colour: string) => void} fill what the outlines hold, overlaps once
  * @property {(colour: string, width: number, dashes?: readonly number[]) => void} stroke
  * @property {(colour: string, edge: string, width: number) => void} union fill, and an edge of half that width around it
+ * @property {(outline: (wider: number) => void, colour: string, edge: string|null, width: number) => void} unionOf the same of outlines that
+ *     `outline` adds: circles larger by `wider`, and whatever else; each closed. For thousands of them
  * @property {(x: number, y: number, text: string, style: TextStyle) => void} text
  * @property {(x: number, y: number, text: string, style: TextStyle) => void} textUpwards turned to read upwards
  * @property {(text: string, style: TextStyle) => number} width of a text
@@ -37,18 +39,33 @@ export class CanvasPen {
         this.context = context;
         /** @type {Map<string, string>} */
         this.fonts = new Map();
+        /** Every outline is filled as it is closed. */
+        this.singly = false;
     }
 
     part() {}
     begin() { this.context.beginPath(); }
-    move(x, y) { this.context.moveTo(x, y); }
     line(x, y) { this.context.lineTo(x, y); }
-    close() { this.context.closePath(); }
-    rect(x, y, width, height) { this.context.rect(x, y, width, height); }
+
+    move(x, y) {
+        if (this.singly) this.context.beginPath();
+        this.context.moveTo(x, y);
+    }
+
+    close() {
+        this.context.closePath();
+        if (this.singly) this.context.fill();
+    }
+
+    rect(x, y, width, height) {
+        if (this.singly) this.context.fillRect(x, y, width, height);
+        else this.context.rect(x, y, width, height);
+    }
 
     disc(x, y, radius) {
-        this.context.moveTo(x + radius, y);
+        this.move(x + radius, y);
         this.context.arc(x, y, radius, 0, ROUND);
+        if (this.singly) this.context.fill();
     }
 
     fill(colour) {
@@ -69,6 +86,19 @@ export class CanvasPen {
     union(colour, edge, width) {
         this.stroke(edge, width);
         this.fill(colour);
+    }
+
+    /**
+     * One outline after the other: the colours are opaque, so that overlaps do not show, and a single circle is filled several times as fast as one
+     * among thousands in one outline, whose crossings are looked for.
+     */
+    unionOf(outline, colour, edge, width) {
+        this.singly = true;
+        if (edge) this.context.fillStyle = edge;
+        if (edge) outline(width / 2);
+        this.context.fillStyle = colour;
+        outline(0);
+        this.singly = false;
     }
 
     /** A font is a long word to parse: said only when it changes, from words made once. @param {TextStyle} style */

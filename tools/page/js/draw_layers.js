@@ -26,7 +26,8 @@ export class Layers {
             this.frame = 0;
             draw();
         };
-        this.observer = new ResizeObserver(() => this.ask());
+        // At once: the browser is about to paint, and would stretch the old picture.
+        this.observer = new ResizeObserver(draw);
         this.observer.observe(canvas);
     }
 

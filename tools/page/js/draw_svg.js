@@ -72,6 +72,13 @@ export class SvgPen {
         this.path(`fill="${colour}" stroke="${edge}" stroke-width="${short(width)}" paint-order="stroke"`);
     }
 
+    unionOf(outline, colour, edge, width) {
+        this.begin();
+        outline(0);
+        if (edge) this.union(colour, edge, width);
+        else this.fill(colour);
+    }
+
     /** @param {TextStyle} style */
     words(style) {
         const anchor = style.across === 0.5 ? ' text-anchor="middle"' : style.across === 1 ? ' text-anchor="end"' : "";

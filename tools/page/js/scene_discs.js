@@ -7,7 +7,8 @@
 /** @typedef {import("tdsp/scene_projection.js").Projection} Projection */
 /** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
 
-const DOT = 0.5; // pixels of radius
+const DOT = 0.5; // pixels of radius: no disc is smaller
+const SQUARE = 1.2; // and smaller ones are squares
 const HUGE = 3; // sides of the window
 const EXACT = 0.2; // pixels between a huge disc's edge and its chords
 
@@ -23,31 +24,43 @@ export function centersOf(discs) {
 
 /** @typedef {ReturnType<typeof centersOf>} Centers */
 
+/** Can a disc of this place and radius on the screen be seen? @param {Projection} projection */
+function isSeen({ left, top, width, height }, x, y, radius) {
+    return x + radius >= left - 1 && x - radius <= left + width + 1 && y + radius >= top - 1 && y - radius <= top + height + 1;
+}
+
+/**
+ * How many discs can be seen.
+ * @param {Projection} projection
+ * @param {Centers} centers
+ * @param {Float64Array} radii in the scene's unit, the robot's radius included
+ */
+export function countSeen(projection, centers, radii) {
+    let seen = 0;
+    for (let i = 0; i < radii.length; i++)
+        if (isSeen(projection, projection.x(centers.x[i]), projection.y(centers.y[i]), radii[i] * projection.scale)) seen++;
+    return seen;
+}
+
 /**
  * Add the outlines of all discs that can be seen to the pen's.
  * @param {Pen} pen begun
  * @param {Projection} projection
  * @param {Centers} centers
  * @param {Float64Array} radii in the scene's unit, the robot's radius included
- * @param {number} count how many
- * @returns {number} how many were seen
+ * @param {number} [wider] pixels that are added to each
  */
-export function outlineDiscs(pen, projection, centers, radii, count) {
-    const { left, top, width, height, scale } = projection;
-    const right = left + width, bottom = top + height;
-    let seen = 0;
-    for (let i = 0; i < count; i++) {
-        const x = projection.x(centers.x[i]), y = projection.y(centers.y[i]), radius = radii[i] * scale;
-        if (x + radius < left - 1 || x - radius > right + 1 || y + radius < top - 1 || y - radius > bottom + 1 || !(radius >= 0)) continue;
-        seen++;
-        outlineDisc(pen, projection, x, y, radius);
+export function outlineDiscs(pen, projection, centers, radii, wider = 0) {
+    for (let i = 0; i < radii.length; i++) {
+        const x = projection.x(centers.x[i]), y = projection.y(centers.y[i]), radius = radii[i] * projection.scale + wider;
+        if (isSeen(projection, x, y, radius)) outlineDisc(pen, projection, x, y, radius);
     }
-    return seen;
 }
 
 /** One disc, in pixels. @param {Pen} pen begun @param {Projection} projection */
 export function outlineDisc(pen, projection, x, y, radius) {
-    if (radius < DOT) pen.rect(x - DOT, y - DOT, 1, 1);
+    const half = Math.max(DOT, radius);
+    if (radius < SQUARE) pen.rect(x - half, y - half, 2 * half, 2 * half);
     else if (radius < HUGE * (projection.width + projection.height)) pen.disc(x, y, radius);
     else outlineHuge(pen, projection, x, y, radius);
 }

@@ -7,6 +7,7 @@ import { lengthAxis, niceStep } from "tdsp/axes.js";
 import { Labels } from "tdsp/draw_labels.js";
 import { TEXT } from "tdsp/draw_text.js";
 import { number, withUnit } from "tdsp/numbers.js";
+import { countSeen } from "tdsp/scene_discs.js";
 import { positionAt } from "tdsp/scene_legs.js";
 import { END_RADIUS, GAP_REACH, scaleBar } from "tdsp/scene_marks.js";
 import { Tracer, traceLegs } from "tdsp/scene_trace.js";
@@ -19,6 +20,7 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 const TICKS = 9; // about so many along a path of ordinary length
 const TICK_PIXELS = 70; // and one in so many pixels
 const GAP_LABELS = 12;
+const CROWD = 600; // discs in the window; more go without an edge, which would take as long as the discs themselves
 
 /**
  * @typedef {object} Layout
@@ -27,6 +29,7 @@ const GAP_LABELS = 12;
  * @property {number} every time between ticks; 0 without
  * @property {Label[]} labels
  * @property {{pixels: number, text: string}} bar
+ * @property {boolean} crowded too many discs for edges
  */
 
 /** Is a point of the screen in the window, or nearly? @param {SceneState["projection"]} projection */
@@ -144,5 +147,6 @@ export function layoutScene(state, measure) {
     placeGaps(state, labels, gaps);
     const style = { size: 11, colour: palette.ink, halo: palette.paper };
     for (const tick of ticks) labels.place(tick.x, tick.y, 7, beside(tick), number(tick.time), style);
-    return { gaps, ticks, every, labels: labels.placed, bar };
+    const crowded = countSeen(projection, state.centers, state.later ?? state.now) > CROWD;
+    return { gaps, ticks, every, labels: labels.placed, bar, crowded };
 }

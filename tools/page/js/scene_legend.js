@@ -10,15 +10,20 @@ import { drawGap } from "tdsp/scene_marks.js";
 const RIDDEN = Object.freeze([3, 3]);
 const OTHER = Object.freeze([7, 5]);
 
-/** @param {SceneState} state @param {number} every time between ticks of the path, 0 without @returns {LegendItem[]} */
-export function legendOf(state, every) {
-    const items = [];
-    if (state.count > 0) items.push({ kind: "now", wide: 14, text: state.still ? `discs at ${withUnit(state.time, state.units.time, 5)}` : "discs now" });
-    if (state.count > 0 && state.later) items.push({ kind: "later", wide: 14, text: "at arrival" });
-    if (state.legs.length > 0) items.push({ kind: "path", wide: 24, text: every > 0 ? `path, a tick every ${withUnit(every, state.units.time)}` : "path" });
-    if (state.legs.some((leg) => leg.ride)) items.push({ kind: "ridden", wide: 24, text: "ridden disc, as the ride begins" });
+/**
+ * @param {SceneState} state
+ * @param {number} every time between ticks of the path, 0 without
+ * @param {boolean} short in few words, where there is little room
+ * @returns {LegendItem[]}
+ */
+export function legendOf(state, every, short) {
+    const items = [], { count, legs, units } = state;
+    if (count > 0) items.push({ kind: "now", wide: 14, text: state.still ? `discs at ${withUnit(state.time, units.time, 5)}` : "discs now" });
+    if (count > 0 && state.later) items.push({ kind: "later", wide: 14, text: "at arrival" });
+    if (legs.length > 0) items.push({ kind: "path", wide: 24, text: every > 0 && !short ? `path, a tick every ${withUnit(every, units.time)}` : "path" });
+    if (legs.some((leg) => leg.ride)) items.push({ kind: "ridden", wide: 24, text: short ? "ridden disc" : "ridden disc, as the ride begins" });
     if (state.jumps.length > 0) items.push({ kind: "gap", wide: 22, text: "gap that closes" });
-    if (state.ghost.length > 0) items.push({ kind: "other", wide: 24, text: "path of the departure pointed at" });
+    if (state.ghost.length > 0) items.push({ kind: "other", wide: 24, text: short ? "pointed at" : "path of the departure pointed at" });
     return items;
 }
 

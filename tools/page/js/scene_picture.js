@@ -53,7 +53,7 @@ export function arrangeScene(state, width, height, measure) {
     const { projection } = state, titled = width >= WIDE, top = 10 + state.head, right = 12;
     const axes = { x: lengthAxis("x", state.units.length, projection.width / projection.scale), y: lengthAxis("y", state.units.length, projection.width / projection.scale) };
     const room = axesRoom(frameTicks(projection.frame(), axes.x, axes.y, measure), titled);
-    const legend = state.legend ? placeLegend(legendOf(state, state.layout?.every ?? 0), width - room.left - right, measure) : { items: [], height: 0 };
+    const legend = state.legend ? placeLegend(legendOf(state, state.layout?.every ?? 0, !titled), width - room.left - right, measure) : { items: [], height: 0 };
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
     projection.place(room.left, top, width - room.left - right, height - top - below - 4);
     return { axes, titled, legend: legend.items, legendTop: height - legend.height - 4 };
@@ -74,9 +74,7 @@ export function drawGround(pen, state, arrangement) {
     if (state.later) {
         clipWindow(pen, state);
         pen.part("discs-at-arrival");
-        pen.begin();
-        outlineDiscs(pen, projection, state.centers, state.later, state.count);
-        pen.union(palette.later, palette.laterEdge, 2);
+        pen.unionOf((wider) => outlineDiscs(pen, projection, state.centers, state.later, wider), palette.later, palette.laterEdge, 2);
         pen.unclip();
     }
     const titles = arrangement.titled ? arrangement.axes : { x: null, y: null };
@@ -91,9 +89,8 @@ const place = new Float64Array(2);
 function drawDiscs(pen, state) {
     const { palette, projection } = state;
     pen.part("discs");
-    pen.begin();
-    outlineDiscs(pen, projection, state.centers, state.now, state.count);
-    pen.union(palette.disc, palette.discEdge, 1.6);
+    const edge = state.layout.crowded ? null : palette.discEdge;
+    pen.unionOf((wider) => outlineDiscs(pen, projection, state.centers, state.now, wider), palette.disc, edge, 1.6);
 }
 
 /** @param {Pen} pen @param {SceneState} state */

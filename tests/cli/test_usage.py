@@ -5,7 +5,7 @@ import re
 
 from harness import ROOT, add, done, expect, expect_equal, fails, main, scene, tdsp, test
 
-COMMANDS = ["arrive", "depart", "path", "build", "query", "info", "verify", "plot", "embed", "generate"]
+COMMANDS = ["arrive", "depart", "path", "build", "query", "info", "verify", "plot", "view", "embed", "generate"]
 
 
 @test

@@ -44,6 +44,7 @@ COMMANDS = {
     "matrix": (("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "out", "--threads", 1, "--epsilon", 0.5), "out", None),
     "plot a scene": (("plot", "scene.json", "-o", "out.svg"), "out.svg", None),
     "plot a table": (("plot", "t.tdsp", "-o", "out.png"), "out.png", None),
+    "view": (("view", "scene.json", "-o", "out.html", "--no-open"), "out.html", None),
     "embed": (("embed", "t.tdsp", "-o", "out.c"), "out.c", None),
     "embed to a device": (("embed", "t.tdsp", "-o", "/dev/null"), None, None),
     "generate to a file": (("generate", "crowd", "--n", 3, "-o", "out.json"), "out.json", None),
@@ -73,6 +74,7 @@ HUNGRY = {
     "path nearly": (("path", "scene.json", 5, "--within", 0.1, "--json"), None, None),
     "margin of a departure": (("margin", "scene.json", 5), None, None),
     "margin of a table's path": (("margin", "scene.json", 5, "--path", "t.tdsp", "--deadline", 90), None, None),
+    "plot that moves": (("plot", "scene.json", "-o", "out.svg", "--animate", "--jumps", "--depart", 9.8, "--beside", 9.9), "out.svg", None),
     "plot with jumps": (("plot", "scene.json", "-o", "out.svg", "--jumps", "--depart", 12), "out.svg", None),
     "verify a path again by searching": (("verify", "scene.json", "p.json", "--deep", 1), None, None),
     "verify a matrix": (("verify", "scene.json", "m.tdspm"), None, None),
@@ -87,6 +89,7 @@ def inputs():
     write("times.csv", "0\n5\n# no more\n9\n")
     write("discs.csv", "x,y,radius,growth\n0,3,1,0.1\n")
     write("fires.geojson", (harness.SCENES / "fires-made-up.geojson").read_bytes().strip())
+    os.environ["TDSP_PAGE"] = os.path.abspath(write("page.html", '<script type="application/json" id="given">null</script></html>\n'))
     write("p.json", done("path", "scene.json", 5, "--json").out)
     done("matrix", "scene.json", "--sources", "from.csv", "--destinations", "to.csv", "-o", "m.tdspm", "--epsilon", 0.5)
 

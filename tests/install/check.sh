@@ -59,12 +59,21 @@ without_the_shared_library() {
     rm "$here"/lib/libtdsp.so* && cmake -S tests/install -B "$work/archives" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/archives" &&
         ! links_libtdsp "$work/archives/shared" && "$work/archives/shared"
 }
+# The page is installed where it has been built, and the command says so where it has not.
+views() {
+    if [ -e "$build/page/index.html" ]; then
+        (unset TDSP_PAGE; "$here/bin/tdsp" view examples/scenes/two-discs.json -o "$work/view.html" --no-open) && [ -s "$work/view.html" ]
+    else
+        (unset TDSP_PAGE; "$here/bin/tdsp" view examples/scenes/two-discs.json -o "$work/view.html" --no-open) 2>&1 | grep -q "make page"
+    fi
+}
 runs_shared() { LD_LIBRARY_PATH=$here/lib "$work/shared"; }
 nothing_left() { [ -z "$(find "$dest" -type f -o -type l)" ] || { find "$dest" -type f -o -type l; return 1; }; }
 
 step "make install DESTDIR PREFIX" "$make" --no-print-directory install BUILD="$build" DESTDIR="$dest" PREFIX=$prefix
 step "every file is there" all_files
 step "the command runs" "$here/bin/tdsp" --version
+step "the command finds the page, or says that it is not there" views
 step "a program builds against the shared library" build_shared
 step "it asks for the library by its SONAME" has_soname
 step "it runs" runs_shared

@@ -108,6 +108,7 @@ def output_lines():
         ("plot", scene, "-o", "a.svg"), ("plot", "t.tdsp", "-o", "a.svg"), ("plot", scene, "-o", "a.svg", "--depart", 100),
         ("convert", SCENES / "fires-made-up.geojson", "--speed", 6, "-o", "fires.json"), ("convert", scene, "-o", "scene.csv"),
         ("convert", "path.json", "--scene", scene, "-o", "path.csv"), ("embed", "t.tdsp", "-o", "t.c"), ("help",), ("help", "arrive"),
+        ("view", scene, "-o", "a.html", "--no-open"), ("view", "t.tdsp", "-o", "a.html", "--no-open"),
     ]
 
 
@@ -115,6 +116,8 @@ def check_outputs(program, schemas):
     pathlib.Path("from.csv").write_text("-10,0,gate\n-10,5\n0,3\n")
     pathlib.Path("covered.csv").write_text("0,3\n")
     pathlib.Path("to.csv").write_text("10,0,school\n")
+    pathlib.Path("page.html").write_text('<script type="application/json" id="given">null</script></html>\n')
+    os.environ["TDSP_PAGE"] = os.path.abspath("page.html")
     pathlib.Path("path.json").write_text(run(program, "path", SCENES / "two-discs.json", 20, "--json").stdout)
     commands = {"help"} | {command["name"] for command in json.loads(run(program, "help", "--json").stdout)["commands"]}
     printed = {command: [] for command in commands}

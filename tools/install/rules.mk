@@ -55,6 +55,8 @@ install: all install-extras ## install to DESTDIR/PREFIX (default /usr/local): c
 	$(INSTALL) -m 644 $(HEADERS) $(DESTDIR)$(INCLUDEDIR)/tdsp
 	$(INSTALL) -d $(DESTDIR)$(DATADIR)/tdsp/schema
 	$(INSTALL) -m 644 $(SCHEMAS) $(DESTDIR)$(DATADIR)/tdsp/schema
+	@if [ -e $(BUILD)/page/index.html ]; then $(INSTALL) -m 644 $(BUILD)/page/index.html $(DESTDIR)$(DATADIR)/tdsp/page.html; \
+	else echo "install: no page for tdsp view: 'make page' builds it" >&2; fi
 	$(call fill_in,tdsp.pc,$(DESTDIR)$(LIBDIR)/pkgconfig)
 	$(call fill_in,tdsp-query.pc,$(DESTDIR)$(LIBDIR)/pkgconfig)
 	$(call fill_in,tdsp-config.cmake,$(DESTDIR)$(LIBDIR)/cmake/tdsp)
@@ -84,5 +86,5 @@ uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(INCLUDEDIR)/tdsp/,$(notdir $(HEADERS))) $(DESTDIR)$(LIBDIR)/cmake/tdsp/tdsp-config.cmake $(DESTDIR)$(LIBDIR)/cmake/tdsp/tdsp-config-version.cmake
 	rm -f $(DESTDIR)$(MANDIR)/man1/tdsp.1 $(DESTDIR)$(MANDIR)/man1/tdsp-*.1 $(DESTDIR)$(MANDIR)/man3/libtdsp.3 $(DESTDIR)$(MANDIR)/man3/tdsp_*.3 $(DESTDIR)$(MANDIR)/man5/tdsp-*.5
 	rm -f $(DESTDIR)$(BASH_COMPLETIONS)/tdsp $(DESTDIR)$(ZSH_COMPLETIONS)/_tdsp $(DESTDIR)$(FISH_COMPLETIONS)/tdsp.fish
-	rm -f $(addprefix $(DESTDIR)$(DATADIR)/tdsp/schema/,$(notdir $(SCHEMAS)))
+	rm -f $(addprefix $(DESTDIR)$(DATADIR)/tdsp/schema/,$(notdir $(SCHEMAS))) $(DESTDIR)$(DATADIR)/tdsp/page.html
 	rmdir $(DESTDIR)$(INCLUDEDIR)/tdsp $(DESTDIR)$(LIBDIR)/cmake/tdsp $(DESTDIR)$(DATADIR)/tdsp/schema $(DESTDIR)$(DATADIR)/tdsp

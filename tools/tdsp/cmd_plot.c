@@ -6,7 +6,6 @@
 #include "file_in.h"
 #include "file_out.h"
 #include "json_out.h"
-#include "numbers.h"
 #include "plot_canvas.h"
 #include "plot_curve.h"
 #include "plot_scene.h"

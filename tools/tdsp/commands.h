@@ -17,6 +17,7 @@ int cmd_query(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_info(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_verify(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_plot(const CliCommand *command, int argc, char **argv, GError **error);
+int cmd_view(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_embed(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_convert(const CliCommand *command, int argc, char **argv, GError **error);
 int cmd_generate(const CliCommand *command, int argc, char **argv, GError **error);

@@ -88,6 +88,13 @@ static const CliCommand commands[] = {
      "  tdsp plot examples/scenes/two-discs.json -o moving.svg --depart 9.8 --beside 9.9 --jumps --animate\n"
      "  tdsp plot two-discs.tdsp -o travel-times.png",
      cmd_plot},
+    {"view", "SCENE|TABLE", "a page to look at it in the browser",
+     "Write the page that shows discs, path and travel times, and lets one move them, with a scene or\n"
+     "a table inside: to FILE, or to a file in the user's cache. Then open it in the browser, where\n"
+     "there is a desktop. The page needs no network and no server; it may be sent to others.\n\n"
+     "Examples:\n  tdsp view examples/scenes/two-discs.json\n"
+     "  tdsp view two-discs.tdsp -o two-discs.html --no-open",
+     cmd_view},
     {"embed", "TABLE -o FILE.c", "a table as a C array, for firmware",
      "Write a table as C source: a const array in flash, to be opened in place.\n\n"
      "Example:\n  tdsp embed two-discs.tdsp -o two_discs.c",

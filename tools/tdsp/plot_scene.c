@@ -290,10 +290,12 @@ static double draw_legend(Canvas *canvas, const ScenePicture *picture, double y,
 }
 
 /* How far the legend reaches below its first line: it is drawn to be measured. */
-static double legend_height(const ScenePicture *picture, double width)
+static gboolean measure_legend(const ScenePicture *picture, double width, double *height, GError **error)
 {
-    g_autoptr(Canvas) paper = canvas_new("legend.svg", width, 1, NULL, NULL);
-    return paper ? draw_legend(paper, picture, 0, WIDEST_STEP) : 0;
+    g_autoptr(Canvas) paper = canvas_new("legend.svg", width, 1, NULL, error);
+    if (!paper) return FALSE;
+    *height = draw_legend(paper, picture, 0, WIDEST_STEP);
+    return TRUE;
 }
 
 /* Metres become kilometres where there are many. */
@@ -311,8 +313,9 @@ gboolean plot_scene(const ScenePicture *picture, const char *path, GError **erro
     const Timeline timeline = timeline_of(picture);
     gboolean moves = picture->seconds > 0 && plot_scene_can_move(picture);
     double width = frame.width + MARGIN_LEFT + MARGIN_RIGHT, legend = MARGIN_TOP + frame.height + MARGIN_BOTTOM;
-    double height = legend + legend_height(picture, width) + BELOW_LEGEND;
-    g_autoptr(Canvas) canvas = canvas_new(path, width, height, moves ? &timeline : NULL, error);
+    double below;
+    if (!measure_legend(picture, width, &below, error)) return FALSE;
+    g_autoptr(Canvas) canvas = canvas_new(path, width, legend + below + BELOW_LEGEND, moves ? &timeline : NULL, error);
     if (!canvas) return FALSE;
     frame_draw_grid(canvas, &frame);
     frame_clip(canvas, &frame);

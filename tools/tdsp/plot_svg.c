@@ -319,7 +319,8 @@ static void append_head(GString *out, const Canvas *canvas)
 
 static gboolean finish(Canvas *canvas, GByteArray *file, GError **error)
 {
-    (void)error;
+    cairo_status_t measured = cairo_status(canvas->cr);
+    if (measured != CAIRO_STATUS_SUCCESS) return backend_fail_cairo(measured, error);
     g_autoptr(GString) head = g_string_new("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     append_head(head, canvas);
     g_string_append(canvas->svg, "</svg>\n");

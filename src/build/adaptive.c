@@ -15,8 +15,7 @@
  */
 #include "build/sampler.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "build/crew.h"
 #include "build/survey.h"
 #include "build/trail.h"
@@ -100,7 +99,7 @@ static tdsp_status step(const sampler *s, probe *p, trail *t, piece *out, int *e
         t->pace = pace;
     }
     if (b.low.departure > held->departure) return add_row(s, p, out, &b, goal.cap);
-    held->right = fmax(held->right, sampler_row(s, &b.low, b.after).right);
+    held->right = math_max(held->right, sampler_row(s, &b.low, b.after).right);
     return TDSP_OK;
 }
 

@@ -6,9 +6,9 @@
 #include "tdsp/build.h"
 
 #include <float.h>
-#include <math.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "build/invert.h"
 #include "build/sampler.h"
 #include "build/writer.h"
@@ -128,7 +128,7 @@ static double oracle_delta(const sampler *s, double travel)
     const tdsp_build_options *options = s->options;
     if (!may_be_rough(s)) return 0;
     if (options->guarantee != TDSP_GUARANTEE_ABSOLUTE) return options->oracle_share * options->epsilon;
-    return travel > 0 ? fmin(options->oracle_share * options->delta / travel, 1) : 0;
+    return travel > 0 ? math_min(options->oracle_share * options->delta / travel, 1) : 0;
 }
 
 static tdsp_status place_rows(sampler *s)

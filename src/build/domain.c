@@ -14,8 +14,8 @@
 #include "build/domain.h"
 
 #include <float.h>
-#include <math.h>
 
+#include "base/math.h"
 #include "base/round.h"
 #include "build/invert.h"
 #include "scene/allocator.h"
@@ -42,18 +42,18 @@ static double resolution(const probe *p, const sample *s)
 static int drowned(const probe *p, const sample *s, double unit)
 {
     double travel = p->by_arrival ? s->value - s->departure : s->value;
-    return s->departure * 0x1p-52 >= fmax(travel + p->oracle->time_scale, unit);
+    return s->departure * 0x1p-52 >= math_max(travel + p->oracle->time_scale, unit);
 }
 
 /* From 0 upwards in powers of 2 whose exponents double. */
 static tdsp_status expand(domain *d, probe *p, sample *high)
 {
     double travel = d->first.value; /* at departure 0 both values are the travel time */
-    double unit = fmax(travel, p->oracle->time_scale);
+    double unit = math_max(travel, p->oracle->time_scale);
     if (unit == 0) unit = 1;
     for (int exponent = 1; exponent <= LAST_EXPONENT; exponent *= 2) {
         sample s;
-        double departure = fmin(ldexp(unit, exponent), LATEST);
+        double departure = math_min(ldexp(unit, exponent), LATEST);
         tdsp_status status = probe_forward(p, departure, &s);
         if (status != TDSP_OK) return status;
         if (s.status != TDSP_OK) {
@@ -180,7 +180,7 @@ static tdsp_status end_at_horizon(domain *d, probe *p)
     tdsp_status status = isfinite(next) ? probe_roughly(p, next, &after) : TDSP_OK;
     if (status != TDSP_OK) return status;
     if (after.status != TDSP_OK) return find_reason(d, p, &after);
-    d->right = fmax(after.lower, d->last.lower);
+    d->right = math_max(after.lower, d->last.lower);
     d->reason = TDSP_HORIZON;
     return TDSP_OK;
 }

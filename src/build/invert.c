@@ -21,10 +21,10 @@
 #include "build/invert.h"
 
 #include <float.h>
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "base/round.h"
 #include "build/seal.h"
 
@@ -75,8 +75,8 @@ int bracket_is_closed(const bracket *b)
 /* How far under the cap a row may end at s. Nothing under the sample's own margin can be told from noise. */
 static double tolerance(const inversion *goal, const sample *s)
 {
-    double asked = fmin(goal->slack, s->departure - goal->anchor);
-    return fmax(asked, s->ceiling - s->value);
+    double asked = math_min(goal->slack, s->departure - goal->anchor);
+    return math_max(asked, s->ceiling - s->value);
 }
 
 /* A rough answer over the cap may stand for a value under it. Nothing is gained by closing in on it: so far a row may end under its cap, too. */
@@ -92,7 +92,7 @@ static int is_over(const hunt *h)
     if (h->bracket->jumps) return 1;
     const sample *low = &h->bracket->low;
     double rest = h->goal->cap - low->ceiling;
-    double most = fmax(tolerance(h->goal, low), doubt(h));
+    double most = math_max(tolerance(h->goal, low), doubt(h));
     int late_enough = low->departure > h->goal->after && rest <= most && rest < h->goal->room / 2;
     double width = h->bracket->high.departure - low->departure;
     return late_enough || width <= h->goal->width || bracket_is_closed(h->bracket);
@@ -104,7 +104,7 @@ static double aim(const hunt *h)
     const sample *low = &h->bracket->low;
     const sample *reference = low->departure > h->goal->anchor ? low : &h->bracket->high;
     double margin = low->ceiling - low->value;
-    double window = fmax(fmin(h->goal->slack, reference->departure - h->goal->anchor), margin);
+    double window = math_max(math_min(h->goal->slack, reference->departure - h->goal->anchor), margin);
     return h->goal->cap - window / 2 - margin;
 }
 
@@ -261,7 +261,7 @@ static void pace_gallop(hunt *h, const sample *s, int fits)
     if (crossed) h->reversals = h->goal->reversals; /* there is nothing more to learn from it here */
     if (crossed || h->reach > most) h->gait = crossed && may_seal(h) ? SEALING : STEADY;
     double growth = h->from_low && may_seal(h) ? CLIMB_GROWTH : GALLOP_GROWTH;
-    h->reach = fmax(h->reach * growth, most / 4096);
+    h->reach = math_max(h->reach * growth, most / 4096);
 }
 
 /* A jump may have been come by without a gallop. */

@@ -2,7 +2,7 @@
 /* Checked oracle calls; the error model is in probe.h. */
 #include "build/probe.h"
 
-#include <math.h>
+#include "base/math.h"
 
 #define ROUNDING 0x1p-50  /* eight half units in the last place of A */
 #define COMPARING 0x1p-49 /* what comparing bounds and a reader's outward rounding may cost */
@@ -39,7 +39,7 @@ static sample sample_of(const probe *p, double departure, double earliest, doubl
     double upper = value + e;
     double ceiling = travel > 0 ? upper + COMPARING * arrival : upper;
     double lower = p->by_arrival ? earliest : earliest - departure;
-    return (sample){departure, value, fmax(lower - e, least), upper, ceiling, value, TDSP_OK};
+    return (sample){departure, value, math_max(lower - e, least), upper, ceiling, value, TDSP_OK};
 }
 
 int probe_means_no_way(tdsp_status status)
@@ -194,5 +194,5 @@ tdsp_status probe_keep_path(probe *p, const sample *s)
 
 double probe_travel_upper(const probe *p, const sample *s)
 {
-    return p->by_arrival ? fmax(s->upper - s->departure, 0) : s->upper;
+    return p->by_arrival ? math_max(s->upper - s->departure, 0) : s->upper;
 }

@@ -12,7 +12,7 @@
  */
 #include "build/rows.h"
 
-#include <math.h>
+#include "base/math.h"
 
 tdsp_status rows_begin(rows *r, const tdsp_build_options *options, tdsp_monotone monotone, const tdsp_allocator *allocator)
 {
@@ -53,8 +53,8 @@ row rows_raised(tdsp_monotone monotone, const row *before, const row *next)
 {
     double waited = monotone == TDSP_MONOTONE_ARRIVAL ? next->departure - before->departure : 0;
     row out = *next;
-    out.left = fmax(out.left, before->left - waited);
-    out.right = fmax(out.right, before->right - waited);
+    out.left = math_max(out.left, before->left - waited);
+    out.right = math_max(out.right, before->right - waited);
     return out;
 }
 
@@ -77,7 +77,7 @@ tdsp_status rows_add(rows *r, const row *next, kept_path *path)
 
 void rows_raise_right(rows *r, double right)
 {
-    r->held.right = fmax(r->held.right, right);
+    r->held.right = math_max(r->held.right, right);
 }
 
 tdsp_status rows_end(rows *r)

@@ -2,7 +2,7 @@
 /* What both ways of sampling share. */
 #include "build/sampler.h"
 
-#include <math.h>
+#include "base/math.h"
 
 #define SLACK 1e-3  /* of the allowed increase */
 #define GIVE 5e-4   /* likewise, at jumps */
@@ -31,8 +31,8 @@ inversion sampler_goal(const sampler *s, double departure, double ceiling, doubl
 row sampler_row(const sampler *s, const sample *at, double lower_after)
 {
     double waited = s->probe.by_arrival ? at->departure : 0;
-    double right = fmax(fmax(lower_after, at->lower) - waited, 0);
-    return (row){at->departure, fmax(at->upper - waited, 0), right};
+    double right = math_max(math_max(lower_after, at->lower) - waited, 0);
+    return (row){at->departure, math_max(at->upper - waited, 0), right};
 }
 
 tdsp_status sampler_finish(sampler *s)
@@ -55,6 +55,6 @@ tdsp_status sampler_recall_path(probe *p, sample *s, double cap)
     if (status == TDSP_OK && !(again.upper <= cap)) status = probe_forward(p, s->departure, &again);
     if (status != TDSP_OK) return status;
     if (!(again.upper <= cap)) return TDSP_BAD_ORACLE;
-    s->upper = fmax(s->upper, again.upper);
+    s->upper = math_max(s->upper, again.upper);
     return probe_keep_path(p, &again);
 }

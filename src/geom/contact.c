@@ -246,8 +246,8 @@ static double touch_meets(const geom_ride *ride, const geom_disc *other, double 
     const geom_disc *disc = ride->disc;
     tdsp_point between = point_sub(other->center, disc->center);
     double cosine = disc->rate * other->rate - disc->sine * other->sine, sine = disc->sine * other->rate + disc->rate * other->sine;
-    double own = disc_radius(disc, moment), turned = atan2(own * sine, own * cosine - disc_radius(other, moment));
-    double corner = atan2(between.y, between.x) - ride->side * (disc->theta + other->theta - turned);
+    double own = disc_radius(disc, moment), turned = math_atan2(own * sine, own * cosine - disc_radius(other, moment));
+    double corner = math_atan2(between.y, between.x) - ride->side * (disc->theta + other->theta - turned);
     double ahead = angle_positive(ride->side * (corner - ride_angle(ride, moment)));
     return moment + (ahead > GEOM_PI ? ahead - GEOM_TURN : ahead) * own / disc->sine;
 }
@@ -285,7 +285,7 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
         if (!(swing > 0.0)) return 0;
         at -= contact_at(ride, other, at, 0.0).slope / (2.0 * (1.0 - other->rate * other->rate) + 2.0 * swing);
     }
-    *time = fmin(fmax(at, ride->start), ride->end);
+    *time = math_min(math_max(at, ride->start), ride->end);
     contact_state state = contact_at(ride, other, *time, 0.0), end = contact_at(ride, other, ride->end, 0.0);
     double sizes = state.reach + disc_radius(other, *time), forgiven = tolerance_touch(other->center, sizes) * sizes;
     return state.value >= -TOUCH_SAME * forgiven && state.value <= 2.0 * forgiven && end.value > TOUCH_SAME * forgiven;

@@ -9,7 +9,6 @@
 #ifndef GEOM_DISC_H
 #define GEOM_DISC_H
 
-#include <math.h>
 #include <stdint.h>
 
 #include "geom/point.h"
@@ -26,7 +25,7 @@ static inline geom_disc disc_make(tdsp_point center, double radius, double rate)
 {
     double squared = (1.0 - rate) * (1.0 + rate);
     geom_disc disc = {center, radius, rate, squared > 0.0 ? sqrt(squared) : 0.0, 0.0};
-    disc.theta = atan2(disc.sine, rate);
+    disc.theta = math_atan2(disc.sine, rate);
     return disc;
 }
 

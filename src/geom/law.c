@@ -2,7 +2,7 @@
 /* Reading growth laws: what they are stands in law.h. */
 #include "geom/law.h"
 
-#include <math.h>
+#include "base/math.h"
 
 uint32_t law_piece_at(const geom_law *law, double time)
 {
@@ -67,6 +67,6 @@ double law_within_until(const geom_law *law, double radius)
     polynomial over = law_piece_polynomial(piece);
     over.c[0] -= radius;
     int found = polynomial_roots(&over, 0.0, length, roots);
-    if (found > 0) return fmin(piece->start + roots[found - 1], piece[1].start);
+    if (found > 0) return math_min(piece->start + roots[found - 1], piece[1].start);
     return polynomial_value(&over, length) > 0.0 ? piece->start : piece[1].start;
 }

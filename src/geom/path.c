@@ -18,23 +18,31 @@
  */
 #include "tdsp/path.h"
 
-#include <math.h>
+#include "base/math.h"
 
 static double path_arc_share(double radius_from, double radius_to, double x)
 {
     double g = (radius_to - radius_from) / radius_from;
     if (fabs(g) < 1e-8) return x * (1 + g * (1 - x) / 2);
-    if (isfinite(g)) return log1p(g * x) / log1p(g);
+    if (isfinite(g)) return math_log1p(g * x) / math_log1p(g);
     double r = radius_from + (radius_to - radius_from) * x;
-    return (log(r) - log(radius_from)) / (log(radius_to) - log(radius_from));
+    return (math_log(r) - math_log(radius_from)) / (math_log(radius_to) - math_log(radius_from));
+}
+
+/* The place at a distance and an angle from a centre. */
+static tdsp_point path_around(tdsp_point center, double radius, double angle)
+{
+    double sine, cosine;
+    math_sincos(angle, &sine, &cosine);
+    tdsp_point p = {center.x + radius * cosine, center.y + radius * sine};
+    return p;
 }
 
 static tdsp_point path_on_arc(const tdsp_leg *leg, double x)
 {
     double r = leg->radius_from + (leg->radius_to - leg->radius_from) * x;
     double angle = leg->angle_from + leg->turn * leg->sweep * path_arc_share(leg->radius_from, leg->radius_to, x);
-    tdsp_point p = {leg->center.x + r * cos(angle), leg->center.y + r * sin(angle)};
-    return p;
+    return path_around(leg->center, r, angle);
 }
 
 /* The motion at one end of a curve, per leg's duration instead of per time. */
@@ -84,8 +92,7 @@ static tdsp_point path_on_curve(const tdsp_leg *leg, double duration, double x)
 {
     double r = path_curve_distance(leg, duration, x);
     double angle = leg->angle_from + leg->turn * path_curve_turned(leg, duration, x);
-    tdsp_point p = {leg->center.x + r * cos(angle), leg->center.y + r * sin(angle)};
-    return p;
+    return path_around(leg->center, r, angle);
 }
 
 /* A convex combination, which cannot overflow where a difference of coordinates can. */

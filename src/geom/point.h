@@ -3,8 +3,7 @@
 #ifndef GEOM_POINT_H
 #define GEOM_POINT_H
 
-#include <math.h>
-
+#include "base/math.h"
 #include "tdsp/types.h"
 
 #define GEOM_PI 3.14159265358979323846
@@ -72,7 +71,9 @@ static inline double point_distance_in_scene(tdsp_point a, tdsp_point b)
 /* The unit vector in a direction. */
 static inline tdsp_point point_unit(double angle)
 {
-    return point_make(cos(angle), sin(angle));
+    double sine, cosine;
+    math_sincos(angle, &sine, &cosine);
+    return point_make(cosine, sine);
 }
 
 /* An angle's value in [0, 2 pi). */

@@ -11,10 +11,10 @@
 
 #include <float.h>
 #include <limits.h>
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "geom/bracket.h"
 
 /* Intervals are halved this often at most. */
@@ -64,7 +64,7 @@ static int polynomial_scale(const polynomial *p, double from, double to, scaled_
 {
     out->p.degree = p->degree;
     while (out->p.degree > 0 && p->c[out->p.degree] == 0.0) --out->p.degree;
-    (void)frexp(fmax(fabs(from), fabs(to)), &out->unit);
+    (void)frexp(math_max(fabs(from), fabs(to)), &out->unit);
     out->power = INT_MIN;
     for (int k = 0; k <= out->p.degree; ++k) {
         int power;
@@ -169,7 +169,7 @@ static void search_add(root_search *search, double x)
 static void search_leaf(root_search *search, sign_count signs, double low, double high)
 {
     const scaled_polynomial *scaled = &search->scaled;
-    double width = scaled->to - scaled->from, lo = scaled->from + width * low, hi = fmin(scaled->from + width * high, scaled->to);
+    double width = scaled->to - scaled->from, lo = scaled->from + width * low, hi = math_min(scaled->from + width * high, scaled->to);
     if (!signs.first) return;
     if (search->sign == -signs.first) search_add(search, lo);
     if (signs.first != signs.last) search_add(search, root_refine(&scaled->p, lo, hi, signs.first));
@@ -285,6 +285,6 @@ double polynomial_least(const polynomial *p, double from, double to)
     if (!polynomial_scale(p, from, to, &scaled)) return 0.0;
     bernstein_form(&scaled, b);
     double least = b[0];
-    for (int j = 1; j <= scaled.p.degree; ++j) least = fmin(least, b[j]);
+    for (int j = 1; j <= scaled.p.degree; ++j) least = math_min(least, b[j]);
     return ldexp(least - bernstein_error(&scaled), scaled.power);
 }

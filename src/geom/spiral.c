@@ -6,14 +6,14 @@
 static double log1p_over(double x)
 {
     if (fabs(x) < 1e-5) return 1.0 - x * (0.5 - x * (1.0 / 3.0 - x * 0.25));
-    return log1p(x) / x;
+    return math_log1p(x) / x;
 }
 
 /* (exp(x) - 1) / x */
 static double expm1_over(double x)
 {
     if (fabs(x) < 1e-5) return 1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0)));
-    return expm1(x) / x;
+    return math_expm1(x) / x;
 }
 
 double spiral_angle(const geom_disc *disc, double t0, double t1)

@@ -12,7 +12,7 @@
 geom_pair pair_make(const geom_disc *from, const geom_disc *to)
 {
     tdsp_point between = point_sub(to->center, from->center);
-    geom_pair pair = {from, to, point_length(between), 0.0, atan2(between.y, between.x)};
+    geom_pair pair = {from, to, point_length(between), 0.0, math_atan2(between.y, between.x)};
     pair.farthest = pair.distance * (1.0 + GEOM_DOMAIN) + tolerance_place(to->center);
     return pair;
 }
@@ -62,7 +62,7 @@ int tangent_possible(const geom_tangent *tangent)
 /* The direction in which the arrival normal is acos(k / |D|) from the centres' line. */
 static double tangent_towards(const geom_tangent *tangent, double k, double reach)
 {
-    return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * atan2(reach, k));
+    return tangent->bearing + tangent->to_side * (tangent->to->theta - tangent->root * math_atan2(reach, k));
 }
 
 double tangent_heading(const geom_tangent *tangent, double time)
@@ -91,7 +91,7 @@ geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
     geom_leg leg = {angle, angle + turned, 0.0};
     if (fabs(w) >= reach || tangent_is_concentric(tangent, time)) {
         double normal = leg.heading - tangent->to_side * tangent->to->theta;
-        leg.length = tangent_length_of(tangent, -tangent->to_side * tangent->distance * sin(normal - tangent->bearing), w);
+        leg.length = tangent_length_of(tangent, -tangent->to_side * tangent->distance * math_sin(normal - tangent->bearing), w);
         return leg;
     }
     leg.heading = tangent_towards(tangent, k, reach);
@@ -179,7 +179,7 @@ typedef struct leave_equation {
 /* The rider's angle to the departure point, up to the constant that it has in common for all times. */
 static double departure_turn(const geom_tangent *tangent, double k, double reach)
 {
-    return -tangent->side * tangent->root * tangent->to_side * atan2(reach, k);
+    return -tangent->side * tangent->root * tangent->to_side * math_atan2(reach, k);
 }
 
 /* The value at a time, and its slope. */

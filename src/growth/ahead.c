@@ -13,7 +13,7 @@
 
 static double turn_between(tdsp_point a, tdsp_point b)
 {
-    return atan2(point_cross(a, b), point_dot(a, b));
+    return math_atan2(point_cross(a, b), point_dot(a, b));
 }
 
 ahead_view ahead_look(const growth_chunk *chunk, const sight_line ends[2])
@@ -21,7 +21,7 @@ ahead_view ahead_look(const growth_chunk *chunk, const sight_line ends[2])
     double turn = fabs(turn_between(ends[0].unit, ends[1].unit));
     ahead_view view = {.chunk = chunk, .ends = ends, .middle = point_add(ends[0].unit, ends[1].unit), .last = ends[1].start};
     view.length = chunk->base.in_fan ? 0.0 : chunk->to - chunk->from;
-    view.slide = turn < MOST_TURN ? view.length * sin(turn) : INFINITY;
+    view.slide = turn < MOST_TURN ? view.length * math_sin(turn) : INFINITY;
     sky_init(&view.sky, -0.5 * turn, 0.5 * turn);
     return view;
 }
@@ -43,7 +43,7 @@ static int is_out_of_sight(const ahead_view *view, tdsp_point to, double radius)
 /* Half the angle under which a circle is seen. */
 static double half_angle(double radius, double distance)
 {
-    return radius < distance ? asin(radius / distance) : GEOM_PI;
+    return radius < distance ? math_asin(radius / distance) : GEOM_PI;
 }
 
 /* How long a leg to the disc is at least: its boundary comes towards the robot no faster than the disc above it grows, as far as that is known. */
@@ -51,8 +51,8 @@ static double least_length(const ahead_view *view, const growth_reach *reach, ui
 {
     const geom_disc *disc = &reach->discs[place];
     double gap = distance - view->length, known = reach->sign > 0.0 ? reach->until - view->last : INFINITY;
-    double now = fmax(disc_radius(disc, view->ends[0].start), disc_radius(disc, view->last));
-    return fmax(gap - reach->largest[place], fmin((gap - now) / (1.0 + fmax(disc->rate, 0.0)), known));
+    double now = math_max(disc_radius(disc, view->ends[0].start), disc_radius(disc, view->last));
+    return math_max(gap - reach->largest[place], math_min((gap - now) / (1.0 + math_max(disc->rate, 0.0)), known));
 }
 
 static growth_ahead ahead_make(const ahead_view *view, const growth_reach *reach, uint32_t place, tdsp_point to)
@@ -105,5 +105,5 @@ void ahead_cover(ahead_view *view, const growth_ahead *disc, const growth_shape 
     double ahead = (disc->distance - room) * (disc->distance + room);
     if (!(room > 0.0) || !(radius > LEAST_COVER) || !(disc->distance > room) || !(ahead > view->length * view->length)) return;
     double half = half_angle(room, disc->distance);
-    sky_add(&view->sky, fmax(disc->direction - half, view->sky.from), fmin(disc->direction + half, view->sky.to), reach);
+    sky_add(&view->sky, math_max(disc->direction - half, view->sky.from), math_min(disc->direction + half, view->sky.to), reach);
 }

@@ -131,15 +131,15 @@ static double landing_normal(const growth_shape *shape, double sign, const growt
 {
     tdsp_point out = point_sub(sight_place(&leg->line, leg->arrive), shape->center);
     double theta = leg->land.in_fan ? 0.0 : rider_theta(shape, sign, leg->land.span, leg->land.time);
-    if (point_length(out) >= PEBBLE * sin(theta)) return atan2(out.y, out.x);
-    return atan2(leg->line.unit.y, leg->line.unit.x) - leg->side * theta;
+    if (point_length(out) >= PEBBLE * math_sin(theta)) return math_atan2(out.y, out.x);
+    return math_atan2(leg->line.unit.y, leg->line.unit.x) - leg->side * theta;
 }
 
 static tdsp_status leg_taken(growth_engine *engine, uint32_t index, int *done)
 {
     const growth_leg leg = engine->legs[index];
     growth_hit hit;
-    engine->latest = fmax(engine->latest, leg.arrive);
+    engine->latest = math_max(engine->latest, leg.arrive);
     if ((leg.disc != GROWTH_GOAL || engine->question.explain) && growth_leg_is_blocked(engine, &leg, &hit)) {
         engine->is_explained = *done = leg.disc == GROWTH_GOAL && covers_goal(engine, hit.disc, hit.time);
         return TDSP_OK;
@@ -163,11 +163,11 @@ static tdsp_status ride_taken(growth_engine *engine, uint32_t index, int *done)
     growth_chunk chunk;
     if (!rider_next_chunk(shape, engine->question.sign, &ride, &chunk)) return TDSP_OK;
     double whole = chunk.to, limit = engine->limit;
-    if (!chunk.base.in_fan) chunk.to = fmin(chunk.to, fmax(chunk.from, limit));
+    if (!chunk.base.in_fan) chunk.to = math_min(chunk.to, math_max(chunk.from, limit));
     ride_changes changes;
     chunk.to = ride_free_until(engine, &chunk, &changes);
     double free_until = chunk.to;
-    engine->latest = fmax(engine->latest, chunk_moment(&chunk, chunk.to).time);
+    engine->latest = math_max(engine->latest, chunk_moment(&chunk, chunk.to).time);
     chunk.to = wake_cut(engine, &chunk, index);
     int is_cut = chunk.to < whole || free_until < whole;
     if (ride_explains(engine, &chunk)) {
@@ -207,7 +207,7 @@ static tdsp_status start_rides(growth_engine *engine, uint32_t disc)
     if (run == SHAPE_NONE || gap > 1e-12 * (1.0 + radius)) return TDSP_OK;
     tdsp_status status = TDSP_OK;
     for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
-        growth_ride ride = {.disc = disc, .run = run, .side = side, .leg = GROWTH_NONE, .normal = atan2(out.y, out.x)};
+        growth_ride ride = {.disc = disc, .run = run, .side = side, .leg = GROWTH_NONE, .normal = math_atan2(out.y, out.x)};
         ride.start.span = span;
         ride.start.time = question->time;
         ride.bound = point_distance(question->start, question->goal);
@@ -246,9 +246,9 @@ static tdsp_status members_reach(growth_engine *engine)
 {
     const growth_question *question = &engine->question;
     double last = isinf(question->limit) ? question->time + WINDOW * point_distance(question->start, question->goal) : question->limit;
-    reach_question ask = {engine->shapes, engine->members, engine->member_count, question->sign, question->time, fmax(last, question->time)};
+    reach_question ask = {engine->shapes, engine->members, engine->member_count, question->sign, question->time, math_max(last, question->time)};
     if (question->sign < 0.0) {
-        ask.from = fmax(-question->limit, 0.0);
+        ask.from = math_max(-question->limit, 0.0);
         ask.until = -question->time;
     }
     tdsp_status status = reach_build(&engine->reach, &engine->allocator, &ask);

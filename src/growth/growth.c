@@ -165,7 +165,7 @@ static void mend_ride(growth_solver *self, const growth_ride *ride, const growth
     again.now = ride->start;
     again.is_over = 0;
     while (!again.is_over && !is_past(engine->question.sign, &again.now, leave) && rider_next_chunk(shape, engine->question.sign, &again, &chunk)) {
-        if (!chunk.base.in_fan && chunk.base.span == leave->span) chunk.to = fmin(chunk.to, leave->time);
+        if (!chunk.base.in_fan && chunk.base.span == leave->span) chunk.to = math_min(chunk.to, leave->time);
         mend_chunk(self, &chunk);
         again.now = rider_after(&chunk, &again.is_over);
     }
@@ -192,10 +192,10 @@ static uint32_t path_mend(growth_solver *self)
 static tdsp_status scout(growth_solver *self, const growth_question *question, double known)
 {
     growth_question ask = *question;
-    double straight = point_distance(question->start, question->goal), later = LATER * fmax(straight, known - question->time);
+    double straight = point_distance(question->start, question->goal), later = LATER * math_max(straight, known - question->time);
     ask.weight = SCOUT_WEIGHT;
     for (;; later *= 2.0) {
-        ask.limit = later > LATEST * straight ? question->limit : fmin(question->time + later, question->limit);
+        ask.limit = later > LATEST * straight ? question->limit : math_min(question->time + later, question->limit);
         tdsp_status status = growth_run(&self->engine, &ask);
         if (status != TDSP_OK || self->engine.arrived != GROWTH_NONE || ask.limit == question->limit) return status;
     }
@@ -209,7 +209,7 @@ static tdsp_status run(growth_solver *self, const growth_question *question, dou
         tdsp_status status = scout(self, question, known);
         if (status != TDSP_OK || self->engine.arrived == GROWTH_NONE) return status;
         double arrives = self->engine.legs[self->engine.arrived].arrive;
-        ask.limit = fmin(ask.limit, arrives + GEOM_CONTACT * (1.0 + fabs(arrives)));
+        ask.limit = math_min(ask.limit, arrives + GEOM_CONTACT * (1.0 + fabs(arrives)));
     }
     return growth_run(&self->engine, &ask);
 }
@@ -249,7 +249,7 @@ tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double d
     *looked_until = departure + (self->engine.latest - question.time) * scene->time;
     if (self->engine.arrived == GROWTH_NONE) return TDSP_CUT_OFF;
     double found = departure + (self->engine.legs[self->engine.arrived].arrive - question.time) * scene->time;
-    *arrival = fmin(found, fmax(departure, ends->destination_cover.time));
+    *arrival = math_min(found, math_max(departure, ends->destination_cover.time));
     return TDSP_OK;
 }
 
@@ -261,7 +261,7 @@ tdsp_status growth_departure(growth_solver *self, const scene_ends *ends, double
     *departure = -1.0;
     if (status != TDSP_OK || self->engine.arrived == GROWTH_NONE) return status;
     double found = arrival - (self->engine.legs[self->engine.arrived].arrive - question.time) * scene->time;
-    *departure = fmax(found, 0.0);
+    *departure = math_max(found, 0.0);
     return TDSP_OK;
 }
 
@@ -289,7 +289,7 @@ double growth_still_from(const growth_solver *self)
     for (uint32_t i = 0; i < self->engine.shape_count; ++i) {
         const growth_shape *shape = &self->engine.shapes[i];
         const law_piece *last = &shape->pieces[shape->piece_count - 1];
-        if (last->degree == 0) still = fmax(still, last->start);
+        if (last->degree == 0) still = math_max(still, last->start);
     }
     return still * self->scene->time;
 }

@@ -93,7 +93,7 @@ static double target_root(const leave_target *target, double a, double fa, doubl
 static double landing_theta(tdsp_point center, int side, const sight_line *line, double time)
 {
     tdsp_point outwards = point_sub(sight_place(line, time), center);
-    return atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
+    return math_atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
 /*
@@ -107,7 +107,7 @@ static void line_graze(const leave_target *target, sight_line *line, sight_neare
         if (fabs(nearest->value) <= GRAZE_VALUE * point_length(out)) return;
         double turn = -nearest->value / (2.0 * (nearest->time - line->start) * point_cross(line->unit, out));
         if (!(fabs(turn) < GRAZE_TURN)) return;
-        line->unit = point_unit(atan2(line->unit.y, line->unit.x) + turn);
+        line->unit = point_unit(math_atan2(line->unit.y, line->unit.x) + turn);
         *nearest = target_nearest(target, line, 1);
     }
 }
@@ -159,7 +159,7 @@ static tdsp_status push_narrow(leave_target *target, double at)
     if (fabs(target_offset(target, &line)) < 0.5 * radius || radius >= distance) return TDSP_OK;
     for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
         target->side = side;
-        line.unit = point_unit(atan2(to.y, to.x) - side * asin(radius / distance));
+        line.unit = point_unit(math_atan2(to.y, to.x) - side * math_asin(radius / distance));
         status = push_line(target, at, &line);
     }
     return status;
@@ -270,7 +270,7 @@ static tdsp_status leave_part(leave_target *target, double from, double to)
     int crosses = (a > 0.0) != (b > 0.0);
     if (!target->shape) return crosses ? push_goal(target, target_root(target, from, a, to, b, 0.0)) : TDSP_OK;
     if (crosses) return push_across(target, from, a, to, b);
-    return fmin(fabs(a), fabs(b)) > target->reach ? TDSP_OK : push_part(target, from, to, side_of(a)); /* in between it is farther off still */
+    return math_min(fabs(a), fabs(b)) > target->reach ? TDSP_OK : push_part(target, from, to, side_of(a)); /* in between it is farther off still */
 }
 
 /* How many parts of a chunk are each a third of the way to the place or less. */
@@ -332,7 +332,7 @@ static tdsp_status leave_ahead(growth_engine *engine, ahead_view *view, uint32_t
         const growth_shape *shape = engine_shape(engine, disc);
         int ends = ahead_ends(view, ahead);
         if (!engine->question.explain && (ends || ahead_hides(view, ahead))) {
-            engine->latest = fmax(engine->latest, view->last + ahead->nearest);
+            engine->latest = math_max(engine->latest, view->last + ahead->nearest);
             if (ends) break;
             continue;
         }
@@ -373,7 +373,7 @@ tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32
 static tdsp_status start_for(leave_target *target)
 {
     tdsp_point to = point_sub(target->place, target->engine->question.start);
-    target->ahead = atan2(to.y, to.x);
+    target->ahead = math_atan2(to.y, to.x);
     tdsp_status status = push_part(target, 0.0, GEOM_PI, 1);
     return status == TDSP_OK ? push_part(target, 0.0, GEOM_PI, -1) : status;
 }
@@ -382,7 +382,7 @@ tdsp_status leave_start(growth_engine *engine)
 {
     const growth_question *question = &engine->question;
     tdsp_point way = point_sub(question->goal, question->start);
-    leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, atan2(way.y, way.x), 0.0, NULL};
+    leave_target goal = {engine, NULL, GROWTH_NONE, GROWTH_GOAL, NULL, question->goal, SHAPE_NONE, 0, math_atan2(way.y, way.x), 0.0, NULL};
     tdsp_status status = push_aimed(&goal, 0.0, target_line(&goal, 0.0));
     for (uint32_t i = 0; i < engine->reach.count && status == TDSP_OK; ++i) {
         uint32_t disc = engine->reach.given[i];

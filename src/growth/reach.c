@@ -12,8 +12,8 @@
 static geom_disc reach_disc(const growth_shape *shape, double from, double until)
 {
     double step = (until - from) / STEPS, first = shape_radius(shape, from), last = shape_radius(shape, until);
-    double rate = step > 0.0 ? fmax((last - first) / (until - from), 0.0) : 0.0, radius = fmax(last - rate * (until - step), 0.0);
-    for (int k = 1; k < STEPS; ++k) radius = fmax(radius, shape_radius(shape, from + k * step) - rate * (from + (k - 1) * step));
+    double rate = step > 0.0 ? math_max((last - first) / (until - from), 0.0) : 0.0, radius = math_max(last - rate * (until - step), 0.0);
+    for (int k = 1; k < STEPS; ++k) radius = math_max(radius, shape_radius(shape, from + k * step) - rate * (from + (k - 1) * step));
     return disc_make(shape->center, radius * (1.0 + SLACK) + SLACK, rate * (1.0 + SLACK));
 }
 
@@ -57,7 +57,7 @@ void reach_limit(growth_reach *reach, tdsp_point goal, double limit)
         if (reach->sign > 0.0 && limit <= reach->until) {
             largest = disc_radius(disc, limit);
             /* Who meets it has the way to the goal before him. */
-            largest = disc_radius(disc, limit - fmax(point_distance(disc->center, goal) - largest, 0.0));
+            largest = disc_radius(disc, limit - math_max(point_distance(disc->center, goal) - largest, 0.0));
         }
         reach->largest[i] = largest;
     }
@@ -107,7 +107,7 @@ void reach_line(const growth_reach *reach, const sight_line *line, double end, r
 {
     reach_caller caller = {reach, visit, ctx};
     index_view view = {&reach->index, reach->discs, reach->sign};
-    geom_line motion = {line->from, line->unit, line->start, fmax(end - line->start, 0.0)};
+    geom_line motion = {line->from, line->unit, line->start, math_max(end - line->start, 0.0)};
     if (is_within_window(reach, line->start, end))
         index_line_visit(&view, &motion, INDEX_NONE, INDEX_NONE, visit_given, &caller);
     else

@@ -80,7 +80,7 @@ static void pass_notes(ride_pass *pass, const ride_sample *sample, double before
 static double bend_bound(const ride_pass *pass, double a, double b)
 {
     const law_piece *piece = &pass->other->pieces[pass->other->spans[pass->span].piece];
-    double sign = pass->chunk->sign, reach = fmax(fabs(sign * a - piece->start), fabs(sign * b - piece->start)), sum = 0.0, power = 1.0;
+    double sign = pass->chunk->sign, reach = math_max(fabs(sign * a - piece->start), fabs(sign * b - piece->start)), sum = 0.0, power = 1.0;
     for (uint32_t k = 2; k <= piece->degree; ++k) {
         sum += k * (k - 1) * fabs(piece->c[k]) * power;
         power *= reach;
@@ -95,8 +95,9 @@ static int part_is_free(const ride_pass *pass, const ride_sample *a, const ride_
     double distance = point_length(middle);
     if (!(distance > 0.0)) return 0;
     double from = point_dot(a->place, middle) / distance - a->radius, to = point_dot(b->place, middle) / distance - b->radius;
-    double sag = 0.5 * width * tan(0.5 * turn) + bend_bound(pass, a->at, b->at) * width * width / 8.0;
-    return fmin(from, to) - sag >= (1.0 + pass->grace) * touch_of(pass, b->radius > a->radius ? b : a, distance);
+    tdsp_point half = point_unit(0.5 * turn);
+    double sag = 0.5 * width * (half.y / half.x) + bend_bound(pass, a->at, b->at) * width * width / 8.0;
+    return math_min(from, to) - sag >= (1.0 + pass->grace) * touch_of(pass, b->radius > a->radius ? b : a, distance);
 }
 
 /* Around one centre only the radii count; they cross where their difference does. */
@@ -170,11 +171,11 @@ static int least_moment(const ride_pass *pass, double from, double to, double *a
     double width = pass->after - pass->before, before = pass->before, after = pass->after;
     ride_sample first = sample_at(pass, before), last = sample_at(pass, after);
     for (; before > from && sample_slope(pass, &first) >= 0.0; width *= 2.0) {
-        before = fmax(before - width, from);
+        before = math_max(before - width, from);
         first = sample_at(pass, before);
     }
     for (; after < to && sample_slope(pass, &last) < 0.0; width *= 2.0) {
-        after = fmin(after + width, to);
+        after = math_min(after + width, to);
         last = sample_at(pass, after);
     }
     if (!(sample_slope(pass, &first) < 0.0 && sample_slope(pass, &last) >= 0.0)) return 0;
@@ -235,7 +236,7 @@ ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
     double from = chunk->from;
     pass.grace = begin_grace(&pass);
     for (;;) {
-        double end = span_ends(&other->spans[pass.span], chunk->sign), to = fmin(chunk->to, end);
+        double end = span_ends(&other->spans[pass.span], chunk->sign), to = math_min(chunk->to, end);
         pass.least = INFINITY;
         meeting.free_until = pass_span(&pass, from, to, &meeting.is_stopped);
         if (meeting.is_stopped) return meeting;

@@ -14,7 +14,7 @@
 static double theta_of(double rate)
 {
     double squared = (1.0 - rate) * (1.0 + rate);
-    return atan2(squared > 0.0 ? sqrt(squared) : 0.0, rate);
+    return math_atan2(squared > 0.0 ? sqrt(squared) : 0.0, rate);
 }
 
 double rider_theta(const growth_shape *shape, double sign, uint32_t span, double time)
@@ -64,8 +64,8 @@ sight_line rider_leaves(const growth_shape *shape, double sign, const growth_rid
 {
     law_jet jet = shape_jet(shape, moment->span, sign * moment->time);
     tdsp_point out = point_unit(rider_normal(shape, sign, ride, moment));
-    double rate = moment->in_fan ? cos(moment->theta) : fmin(sign * jet.rate, 1.0);
-    double across = ride->side * (moment->in_fan ? sin(moment->theta) : sqrt(fmax((1.0 - rate) * (1.0 + rate), 0.0)));
+    double rate = moment->in_fan ? math_cos(moment->theta) : math_min(sign * jet.rate, 1.0);
+    double across = ride->side * (moment->in_fan ? math_sin(moment->theta) : sqrt(math_max((1.0 - rate) * (1.0 + rate), 0.0)));
     sight_line line = {point_along(shape->center, jet.radius, out), {rate * out.x - across * out.y, rate * out.y + across * out.x}, moment->time};
     return line;
 }
@@ -77,10 +77,10 @@ static double chunk_end(const growth_shape *shape, double sign, const growth_rid
     law_jet jet = shape_jet(shape, from->span, sign * from->time);
     growth_moment to = *from;
     double step = jet.radius > 0.0 ? jet.radius : 1.0;
-    to.time = fmin(end, from->time + step);
+    to.time = math_min(end, from->time + step);
     while (to.time < end && fabs(rider_heading(shape, sign, ride, &to) - heading) < 0.5 * CHUNK_TURN) {
         step *= 2.0;
-        to.time = fmin(end, from->time + step);
+        to.time = math_min(end, from->time + step);
     }
     while (fabs(rider_heading(shape, sign, ride, &to) - heading) > CHUNK_TURN) {
         double middle = 0.5 * (from->time + to.time);
@@ -104,7 +104,7 @@ int rider_next_chunk(const growth_shape *shape, double sign, const growth_ride *
     if (ride->now.in_fan) {
         uint32_t next = span_after(shape, sign, ride->now.span);
         made.from = ride->now.theta;
-        made.to = fmin(made.from + CHUNK_TURN, rider_theta(shape, sign, next, ride->now.time));
+        made.to = math_min(made.from + CHUNK_TURN, rider_theta(shape, sign, next, ride->now.time));
     } else {
         made.from = ride->now.time;
         made.to = chunk_end(shape, sign, ride, &ride->now);
@@ -141,7 +141,7 @@ static double turned_at(const growth_chunk *chunk, double at)
 int rider_passes(const growth_chunk *chunk, tdsp_point place, double *at)
 {
     tdsp_point out = point_sub(place, chunk->shape->center);
-    double angle = angle_positive(chunk->ride->side * (atan2(out.y, out.x) - chunk->ride->normal));
+    double angle = angle_positive(chunk->ride->side * (math_atan2(out.y, out.x) - chunk->ride->normal));
     double low = chunk->from, high = chunk->to;
     if (chunk->base.in_fan || angle < turned_at(chunk, low) || angle > turned_at(chunk, high)) return 0;
     for (int step = 0; step < MOST_HALVINGS; ++step) {

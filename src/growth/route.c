@@ -60,7 +60,7 @@ static tdsp_leg ride_leg(const growth_shape *shape, const growth_ride *ride, uin
 
 static int curve_is_true(const growth_shape *shape, const growth_ride *ride, uint32_t span, const tdsp_leg *leg)
 {
-    double enough = fmin(CURVE_ERROR, CURVE_SHARE * (leg->end_time - leg->start_time) + CURVE_ROUNDING);
+    double enough = math_min(CURVE_ERROR, CURVE_SHARE * (leg->end_time - leg->start_time) + CURVE_ROUNDING);
     if (!(leg->rate_from < 1.0 && leg->rate_to < 1.0)) return 0;
     for (int i = 1; i < 8; ++i) {
         growth_moment moment = {span, 0, leg->start_time + (leg->end_time - leg->start_time) * i / 8.0, 0.0};
@@ -87,7 +87,7 @@ static tdsp_status append_span(const growth_solver *self, const growth_ride *rid
         tdsp_status status = width > NOTHING ? path_append(self, out, &leg) : TDSP_OK;
         if (status != TDSP_OK) return status;
         from = to;
-        to = fmin(end, from + 2.0 * width);
+        to = math_min(end, from + 2.0 * width);
     }
     return TDSP_OK;
 }
@@ -100,7 +100,7 @@ static tdsp_status append_ride(const growth_solver *self, const growth_ride *rid
         double to = span == leave->span ? leave->time : shape->spans[span].to;
         tdsp_status status = append_span(self, ride, span, from, to, out);
         if (status != TDSP_OK) return status;
-        from = fmax(from, to);
+        from = math_max(from, to);
     }
     return TDSP_OK;
 }
@@ -157,7 +157,7 @@ static void path_finish(const growth_solver *self, const scene_ends *ends, doubl
         leg->from = at;
         leg->start_time = now;
         leg->to = at = is_last ? ends->given.destination : scene_place(scene, leg->to);
-        leg->end_time = now = is_last ? arrival : fmin(fmax(now, departure + (leg->end_time - start) * scene->time), arrival);
+        leg->end_time = now = is_last ? arrival : math_min(math_max(now, departure + (leg->end_time - start) * scene->time), arrival);
         leg_to_user(scene, leg, leg->disc == TDSP_NO_DISC ? at : scene->discs[leg->disc].center);
     }
 }

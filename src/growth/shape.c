@@ -79,7 +79,7 @@ static tdsp_status piece_cut(growth_shape *shape, const tdsp_allocator *allocato
     }
     tdsp_status status = TDSP_OK;
     for (int i = 0; i < count && status == TDSP_OK; ++i) {
-        double cut = fmin(law->start + cuts[i], end);
+        double cut = math_min(law->start + cuts[i], end);
         status = span_add(shape, allocator, piece, at, cut);
         at = cut;
     }
@@ -97,8 +97,8 @@ static tdsp_status last_piece_cut(growth_shape *shape, const tdsp_allocator *all
         status = span_add(shape, allocator, piece, law->start, law->start + begins);
         return status == TDSP_OK ? span_add(shape, allocator, piece, law->start + begins, INFINITY) : status;
     }
-    for (uint32_t k = 0; k < law->degree; ++k) most = fmax(most, pow((fabs(law->c[k]) + 1.0) / lead, 1.0 / (double)(law->degree - k)));
-    double end = 4.0 * (double)law->degree * fmax(most, 1.0);
+    for (uint32_t k = 0; k < law->degree; ++k) most = math_max(most, math_exp(math_log((fabs(law->c[k]) + 1.0) / lead) / (double)(law->degree - k)));
+    double end = 4.0 * (double)law->degree * math_max(most, 1.0);
     while (from < end && status == TDSP_OK) {
         status = piece_cut(shape, allocator, piece, from, to, law->start + to);
         from = to;
@@ -233,13 +233,29 @@ static double turning(const growth_shape *shape, uint32_t span, double time)
     return squared > 0.0 ? sqrt(squared) / jet.radius : 0.0;
 }
 
+/* cos(k pi / 28), k = 0 ... 28: all the cosines of a series of SHAPE_SERIES = 14 terms at its points. */
+static const double shape_cosines[29] = {
+    0x1p+0, 0x1.fcc7d8c64135fp-1, 0x1.f329c0558e969p-1, 0x1.e344ad05d3f86p-1, 0x1.cd4bca9cb5c71p-1, 0x1.b185d590d5a44p-1, 0x1.904c37505de4bp-1,
+    0x1.6a09e667f3bcdp-1, 0x1.3f3a0e28bedd1p-1, 0x1.106682221cd8ap-1, 0x1.bc4c04d71abc1p-2, 0x1.5234aca69a9fep-2, 0x1.c7b90e3024582p-3,
+    0x1.ca9b4332d6f61p-4, 0.0, -0x1.ca9b4332d6f61p-4, -0x1.c7b90e3024582p-3, -0x1.5234aca69a9fep-2, -0x1.bc4c04d71abc1p-2,
+    -0x1.106682221cd8ap-1, -0x1.3f3a0e28bedd1p-1, -0x1.6a09e667f3bcdp-1, -0x1.904c37505de4bp-1, -0x1.b185d590d5a44p-1, -0x1.cd4bca9cb5c71p-1,
+    -0x1.e344ad05d3f86p-1, -0x1.f329c0558e969p-1, -0x1.fcc7d8c64135fp-1, -0x1p+0,
+};
+
+/* cos(k pi (i + 1/2) / SHAPE_SERIES) */
+static double cosine_at(int k, int i)
+{
+    int turned = k * (2 * i + 1) % (4 * SHAPE_SERIES);
+    return shape_cosines[turned > 2 * SHAPE_SERIES ? 4 * SHAPE_SERIES - turned : turned];
+}
+
 /* The turning's series at the Chebyshev points of [from, to], then integrated; returns the size of its last terms beside what they may be. */
 static double panel_series(const growth_shape *shape, uint32_t span, shape_panel *panel)
 {
     double values[SHAPE_SERIES], c[SHAPE_SERIES + 2] = {0.0}, half = 0.5 * (panel->to - panel->from), middle = panel->from + half;
-    for (int i = 0; i < SHAPE_SERIES; ++i) values[i] = turning(shape, span, middle + half * cos(GEOM_PI * (i + 0.5) / SHAPE_SERIES));
+    for (int i = 0; i < SHAPE_SERIES; ++i) values[i] = turning(shape, span, middle + half * cosine_at(1, i));
     for (int k = 0; k < SHAPE_SERIES; ++k) {
-        for (int i = 0; i < SHAPE_SERIES; ++i) c[k] += values[i] * cos(GEOM_PI * k * (i + 0.5) / SHAPE_SERIES);
+        for (int i = 0; i < SHAPE_SERIES; ++i) c[k] += values[i] * cosine_at(k, i);
         c[k] *= (k > 0 ? 2.0 : 1.0) / SHAPE_SERIES;
     }
     double at_start = 0.0;
@@ -270,7 +286,7 @@ static double panel_turned(const shape_panel *panel, double time)
  */
 static double panel_end(const shape_span *span, double from, double width)
 {
-    return fmin(span->to, from + fmin(width, fmax(1.0, from)));
+    return math_min(span->to, from + math_min(width, math_max(1.0, from)));
 }
 
 /* Panels over a span, from its start on; `to` and the parts still to come are halved as needed. */
@@ -307,7 +323,7 @@ static double linear_turned(const growth_shape *shape, const shape_span *span, d
     const law_piece *piece = &shape->pieces[span->piece];
     double rate = piece->c[1], radius = piece->c[0] + rate * (from - piece->start);
     double sine = sqrt((1.0 - rate) * (1.0 + rate)), growth = rate * (to - from) / radius;
-    return fabs(growth) < 1e-9 ? sine * (to - from) / radius * (1.0 - 0.5 * growth) : sine * log1p(growth) / rate;
+    return fabs(growth) < 1e-9 ? sine * (to - from) / radius * (1.0 - 0.5 * growth) : sine * math_log1p(growth) / rate;
 }
 
 static const shape_panel *panel_at(const growth_shape *shape, const shape_span *span, double time)

@@ -53,7 +53,7 @@ static double slope_root(const growth_shape *shape, double sign, const sight_lin
         const law_piece *piece = &shape->pieces[shape->spans[span].piece];
         double rate = sign * piece->c[1], radius = piece->c[0] - piece->c[1] * piece->start;
         time = (rate * radius + line->start - along) / ((1.0 - rate) * (1.0 + rate));
-        return fmax(low, fmin(time, high));
+        return math_max(low, math_min(time, high));
     }
     if (!(time > low && time < high)) time = isinf(high) ? low + 1.0 : 0.5 * (low + high);
     for (int step = 0; step < MOST_STEPS && low < high; ++step) {
@@ -65,7 +65,7 @@ static double slope_root(const growth_shape *shape, double sign, const sight_lin
         else
             high = time;
         double next = time - value / rise;
-        if (fabs(next - time) <= error * (1.0 + fabs(time))) return fmax(low, fmin(next, high));
+        if (fabs(next - time) <= error * (1.0 + fabs(time))) return math_max(low, math_min(next, high));
         if (!(next > low && next < high)) next = isinf(high) ? low + 2.0 * (low - line->start + 1.0) : 0.5 * (low + high);
         if (next <= low || next >= high) return next;
         time = next;
@@ -83,7 +83,7 @@ sight_nearest sight_pass(const growth_shape *shape, double sign, const sight_lin
 {
     const shape_run *self = &shape->runs[run];
     uint32_t first = sign > 0.0 ? self->first : self->last, last = sign > 0.0 ? self->last : self->first;
-    double begin = run_begins(shape, sign, run), low = fmax(begin, from);
+    double begin = run_begins(shape, sign, run), low = math_max(begin, from);
     uint32_t span = low > begin ? sight_span_at(shape, sign, low) : first;
     if (shape->spans[span].run != run) span = last;
     if (slope(shape, sign, line, span, low) >= 0.0) return nearest_at(shape, sign, line, span, low);
@@ -148,7 +148,7 @@ static int span_blocks(const growth_shape *shape, double sign, uint32_t span, co
 static double segment_distance_squared(const sight_line *line, double end, tdsp_point place)
 {
     double along = point_dot(point_sub(place, line->from), line->unit);
-    double time = fmin(fmax(line->start + along, line->start), end);
+    double time = math_min(math_max(line->start + along, line->start), end);
     tdsp_point offset = point_sub(sight_place(line, time), place);
     return point_dot(offset, offset);
 }
@@ -160,7 +160,7 @@ int sight_is_blocked(const growth_shape *shape, double sign, const sight_line *l
     uint32_t span = sight_span_at(shape, sign, line->start);
     for (;;) {
         const shape_span *self = &shape->spans[span];
-        double low = fmax(line->start, span_begins(self, sign)), high = fmin(end, span_ends(self, sign));
+        double low = math_max(line->start, span_begins(self, sign)), high = math_min(end, span_ends(self, sign));
         int is_touched = self->run != SHAPE_NONE && (self->run == left || self->run == met);
         if (high >= low && !is_touched && span_blocks(shape, sign, span, line, low, high, hit)) return 1;
         if (span_ends(self, sign) >= end || (sign < 0.0 && span == 0) || (sign > 0.0 && span + 1 == shape->span_count)) return 0;

@@ -6,8 +6,8 @@
  * is the limit. When it arrives earlier, A jumps over the deadline right after it, or ends: the search for a moment later tells which. Only the public
  * solver is asked: it serves every law of growth.
  */
-#include <math.h>
 
+#include "base/math.h"
 #include "scene/scene.h" /* the unit of time, nothing else */
 #include "tdsp/margin.h"
 
@@ -131,7 +131,7 @@ tdsp_status tdsp_solver_slack(tdsp_solver *solver, double departure, double dead
     if (!tdsp_status_is_answer(slack.latest_status)) return slack.latest_status;
     if (slack.latest_status == TDSP_OK) slack.later = slack.latest.departure - departure;
     /* A departure at the limit is in time, whatever the rounding of the latest. */
-    if (slack.early >= 0.0) slack.later = fmax(slack.later, 0.0);
+    if (slack.early >= 0.0) slack.later = math_max(slack.later, 0.0);
     *out = slack;
     return TDSP_OK;
 }

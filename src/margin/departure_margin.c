@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* How far all rates may rise before a departure fails, with planning anew: the hunt, its ends, and what limits it. */
-#include <math.h>
 
+#include "base/math.h"
 #include "margin/hunt.h"
 #include "margin/raise.h"
 
@@ -71,7 +71,7 @@ static tdsp_status margin_below(hunt *self, tdsp_margin *margin, int *found)
 static tdsp_status margin_find(hunt *self, tdsp_margin *margin)
 {
     const double start = self->how == TDSP_RAISE_FACTOR ? 1.0 : self->fastest;
-    const double end = fmax(most_raised(self->scene, self->how, self->slowest, self->fastest), start);
+    const double end = math_max(most_raised(self->scene, self->how, self->slowest, self->fastest), start);
     int found = 1;
     self->hi = end;
     tdsp_status status = hunt_step(self, start);

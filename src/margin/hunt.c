@@ -2,9 +2,9 @@
 /* Narrowing down: the method is in hunt.h. */
 #include "margin/hunt.h"
 
-#include <math.h>
 #include <stdlib.h>
 
+#include "base/math.h"
 #include "scene/scene.h" /* the unit of time, nothing else */
 
 /* lo and hi this near together are as good as one. */
@@ -28,8 +28,8 @@
 #define PAST 0.02
 #define NEAR 1e-3
 
-/* The first step up, where nothing is known to do harm, is no farther than this factor, the next its square. */
-#define FARTHER 4.0
+/* 2 squared so often is infinite. */
+#define MOST_SQUARINGS 10
 
 double hunt_amount(const hunt *self, double p)
 {
@@ -142,13 +142,13 @@ static double hunt_middle(const hunt *self)
 /* The least step that tells two amounts apart; the more often the same end has moved, the longer. */
 static double hunt_least(const hunt *self, double p)
 {
-    return 0.5 * SAME * p * pow(8.0, abs(self->same) - 1.0);
+    return 0.5 * SAME * p * ldexp(1.0, 3 * (abs(self->same) - 1));
 }
 
-/* Nothing does harm so far: trust a guess no farther than this, and farther each time. */
+/* Nothing does harm so far: trust a guess no farther than this, 4, 16, 256, ... times as far. */
 static double hunt_farther(const hunt *self, double guess)
 {
-    const double far = self->lo * pow(FARTHER, pow(2.0, self->same - 1.0));
+    const double far = ldexp(self->lo, 1 << (self->same < MOST_SQUARINGS ? self->same : MOST_SQUARINGS));
     if (guess > self->lo && guess < far) return guess;
     return guess > self->lo * (1.0 - NEAR) && guess <= self->lo ? self->lo + hunt_least(self, self->lo) : far;
 }
@@ -163,16 +163,16 @@ static double hunt_inside(const hunt *self, double guess)
     double p = guess;
     if (self->same >= 2) p += PAST * (guess - self->lo);
     if (self->same <= -2) p -= PAST * (self->hi - guess);
-    if (p >= self->hi) p = self->hi - fmax(PAST * width, least);
+    if (p >= self->hi) p = self->hi - math_max(PAST * width, least);
     if (p <= self->lo) p = self->lo + least;
-    p = fmin(fmax(p, self->lo + least), self->hi - least);
+    p = math_min(math_max(p, self->lo + least), self->hi - least);
     return p > self->lo ? p : hunt_middle(self);
 }
 
 static double hunt_next(const hunt *self, int is_slow)
 {
     const double guess = hunt_guess(self), width = self->hi - self->lo;
-    if (!self->hi_known) return fmin(self->lo > 0.0 ? hunt_farther(self, guess) : self->hi, self->hi);
+    if (!self->hi_known) return math_min(self->lo > 0.0 ? hunt_farther(self, guess) : self->hi, self->hi);
     if (is_slow || !(guess > self->lo - NEAR * width && guess < self->hi + NEAR * width)) return hunt_middle(self);
     return hunt_inside(self, guess);
 }
@@ -193,7 +193,7 @@ tdsp_status hunt_run(hunt *self)
             is_slow = self->hi - self->lo > 0.25 * width;
             width = self->hi - self->lo;
         }
-        status = hunt_step(self, fmax(hunt_next(self, is_slow), least));
+        status = hunt_step(self, math_max(hunt_next(self, is_slow), least));
     }
     return status;
 }

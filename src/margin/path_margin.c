@@ -3,8 +3,8 @@
  * How far all rates may rise before a fixed path meets a disc: the least, over legs and discs, of the amounts that raise a disc to the fastest
  * rate that the leg stays clear of (touch.h).
  */
-#include <math.h>
 
+#include "base/math.h"
 #include "margin/close.h"
 #include "margin/path_halving.h"
 #include "margin/raise.h"
@@ -44,8 +44,8 @@ static void path_look(path_search *search, const tdsp_leg *leg)
     const way w = way_of(leg);
     for (size_t i = 0; i < search->count; i++) {
         const tdsp_disc *disc = &search->discs[i];
-        const double rate = raise_rate(search->how, fmax(search->least->most, 0.0), disc->growth, search->cap);
-        if (close_is_far(&search->scales, &w, disc, fmax(rate, disc->growth))) continue;
+        const double rate = raise_rate(search->how, math_max(search->least->most, 0.0), disc->growth, search->cap);
+        if (close_is_far(&search->scales, &w, disc, math_max(rate, disc->growth))) continue;
         path_note(search, &w, (uint32_t)i, close_look(&search->scales, &w, disc));
     }
 }

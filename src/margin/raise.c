@@ -2,8 +2,7 @@
 /* Scenes with raised rates. */
 #include "margin/raise.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "scene/scene.h" /* its discs' pieces, and the making of scenes */
 #include "tdsp/growth.h"
 
@@ -15,7 +14,7 @@ double raise_cap(const tdsp_scene *scene)
 double raise_rate(tdsp_raise how, double amount, double rate, double cap)
 {
     if (rate >= cap || (how == TDSP_RAISE_FACTOR && rate == 0.0)) return rate;
-    return fmin(how == TDSP_RAISE_FACTOR ? amount * rate : fmax(rate + amount, 0.0), cap);
+    return math_min(how == TDSP_RAISE_FACTOR ? amount * rate : math_max(rate + amount, 0.0), cap);
 }
 
 double raise_amount(tdsp_raise how, double most, double rate, double cap)
@@ -119,8 +118,8 @@ void raise_range(const tdsp_scene *scene, double *slowest, double *fastest)
     for (size_t k = 0; k < count; k++) {
         const double rate = is_law ? scene->pieces[k].c[1] : scene->discs[k].growth;
         if (rate >= cap || !(rate >= 0.0)) continue;
-        *slowest = fmin(*slowest, rate > 0.0 ? rate : *slowest);
-        *fastest = fmax(*fastest, rate);
+        *slowest = math_min(*slowest, rate > 0.0 ? rate : *slowest);
+        *fastest = math_max(*fastest, rate);
     }
 }
 

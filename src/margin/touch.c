@@ -2,8 +2,7 @@
 /* The least slope: the derivation is in touch.h. */
 #include "margin/touch.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "tdsp/path.h"
 
 #define CHEAP_EVALUATIONS 2000
@@ -65,17 +64,17 @@ static void touch_line(touch_search *search)
 static double part_bent_bound(const touch_search *search, const part *q, double near)
 {
     const way *leg = search->leg;
-    const double span = q->b - q->a, radius = fmin(way_radius(leg, q->a), way_radius(leg, q->b));
+    const double span = q->b - q->a, radius = math_min(way_radius(leg, q->a), way_radius(leg, q->b));
     if (!(near > 0.0)) return -INFINITY;
     const double sag = leg->speed * (leg->speed / near + leg->across / radius) * span * span / 8.0 + search->radius;
-    return fmin(slope(q->da - sag, q->a), slope(q->db - sag, q->b));
+    return math_min(slope(q->da - sag, q->a), slope(q->db - sag, q->b));
 }
 
 /* A lower bound on g over a part. */
 static double part_bound(const touch_search *search, const part *q)
 {
     const double near = 0.5 * (q->da + q->db - search->leg->speed * (q->b - q->a)), excess = near - search->radius;
-    return fmax(fmin(slope(excess, q->a), slope(excess, q->b)), part_bent_bound(search, q, near));
+    return math_max(math_min(slope(excess, q->a), slope(excess, q->b)), part_bent_bound(search, q, near));
 }
 
 /* Is nothing lower than the resolution left to find in a part? Then its bound is kept. */
@@ -83,7 +82,7 @@ static int part_settled(touch_search *search, const part *q, double resolution)
 {
     const double bound = part_bound(search, q), middle = q->a + 0.5 * (q->b - q->a);
     if (bound < search->found.rate - resolution / q->b && middle > q->a && middle < q->b) return 0;
-    search->bound = fmin(search->bound, bound);
+    search->bound = math_min(search->bound, bound);
     return 1;
 }
 
@@ -99,7 +98,7 @@ static void touch_arc(touch_search *search)
         const double resolution = evaluations < CHEAP_EVALUATIONS ? search->resolution : COARSE * search->resolution;
         if (part_settled(search, &q, resolution)) continue;
         if (open + 2 > STACK_PARTS) {
-            search->bound = fmin(search->bound, part_bound(search, &q));
+            search->bound = math_min(search->bound, part_bound(search, &q));
             continue;
         }
         const double middle = q.a + 0.5 * (q.b - q.a), d = touch_at(search, middle);
@@ -114,7 +113,7 @@ static void touch_arc(touch_search *search)
 static void touch_concentric(touch_search *search, double apart)
 {
     const tdsp_leg *leg = search->leg->leg;
-    search->bound = fmin(slope(leg->radius_from - search->radius - apart, leg->start_time),
+    search->bound = math_min(slope(leg->radius_from - search->radius - apart, leg->start_time),
                          slope(leg->radius_to - search->radius - apart, leg->end_time));
 }
 
@@ -131,6 +130,6 @@ touch touch_of(const way *leg, tdsp_point center, double radius, double resoluti
     } else {
         touch_arc(&search);
     }
-    search.found.rate = fmin(search.found.rate, search.bound);
+    search.found.rate = math_min(search.found.rate, search.bound);
     return search.found;
 }

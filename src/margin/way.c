@@ -2,8 +2,7 @@
 /* Legs as motions. */
 #include "margin/way.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "tdsp/path.h"
 
 static int is_place(tdsp_point p)
@@ -28,7 +27,7 @@ int way_well_formed(const tdsp_leg *leg)
 
 double way_distance(tdsp_point a, tdsp_point b)
 {
-    return hypot(b.x - a.x, b.y - a.y);
+    return math_hypot(b.x - a.x, b.y - a.y);
 }
 
 /* How far the arc goes across the radius: sweep times the logarithmic mean of the radii. */
@@ -36,7 +35,7 @@ static double arc_across(const tdsp_leg *leg)
 {
     const double gain = leg->radius_to - leg->radius_from, growth = gain / leg->radius_from;
     if (growth == 0.0) return leg->sweep * leg->radius_from;
-    return leg->sweep * gain / (isfinite(growth) ? log1p(growth) : log(leg->radius_to) - log(leg->radius_from));
+    return leg->sweep * gain / (isfinite(growth) ? math_log1p(growth) : math_log(leg->radius_to) - math_log(leg->radius_from));
 }
 
 way way_of(const tdsp_leg *leg)
@@ -46,7 +45,7 @@ way way_of(const tdsp_leg *leg)
     double across = 0.0;
     if (leg->kind == TDSP_LEG_ARC) {
         across = arc_across(leg);
-        w.length = hypot(leg->radius_to - leg->radius_from, across);
+        w.length = math_hypot(leg->radius_to - leg->radius_from, across);
     }
     if (duration > 0.0) {
         w.speed = w.length / duration;

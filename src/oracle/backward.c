@@ -6,8 +6,7 @@
  */
 #include "oracle/backward.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "base/round.h"
 #include "oracle/forward.h"
 #include "oracle/path.h"
@@ -31,14 +30,14 @@ double backward_reach(const examiner *x, double d)
     double arrival = 0;
     for (size_t i = x->seen_count; i-- > 0 && arrival == 0;)
         if (x->seen[i].status == TDSP_OK && x->seen[i].departure <= d) arrival = x->seen[i].arrival;
-    return 2 * examiner_blur(x, fmax(arrival, isfinite(d) ? d : 0));
+    return 2 * examiner_blur(x, math_max(arrival, isfinite(d) ? d : 0));
 }
 
 /* The noise of A(s) and of a reverse answer to a. */
 static double tolerance_of(const examiner *x, const seen *s, double a)
 {
     double noise = examiner_noise(x, s->departure, s->arrival);
-    return isfinite(a) ? noise + examiner_noise(x, s->departure, fmax(a, s->arrival)) : noise;
+    return isfinite(a) ? noise + examiner_noise(x, s->departure, math_max(a, s->arrival)) : noise;
 }
 
 static int is_late(const examiner *x, const seen *s, double a)
@@ -75,10 +74,10 @@ static void judge_beside(examiner *x, tdsp_oracle_callback callback, double a, d
     seen at, before, after;
     int is_known = forward_see(x, d, &at);
     if (is_known && is_late(x, &at, a)) {
-        int displaced = forward_see(x, fmax(d - reach, 0), &before) && !is_late(x, &before, a);
+        int displaced = forward_see(x, math_max(d - reach, 0), &before) && !is_late(x, &before, a);
         if (!displaced) note(x, TDSP_RULE_LATE, callback, a, d, &at);
     }
-    if (forward_see(x, fmax(d + reach, round_next_up(d)), &after) && is_in_time(x, &after, a)) note(x, TDSP_RULE_EARLY, callback, a, d, &after);
+    if (forward_see(x, math_max(d + reach, round_next_up(d)), &after) && is_in_time(x, &after, a)) note(x, TDSP_RULE_EARLY, callback, a, d, &after);
 }
 
 void backward_judge(examiner *x, tdsp_oracle_callback callback, double a, double d)

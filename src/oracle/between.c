@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* latest_departure_between: told two departures around the answer, as the sampler does, and judged like any latest departure. */
-#include <math.h>
 
+#include "base/math.h"
 #include "oracle/backward.h"
 #include "oracle/forward.h"
 #include "oracle/path.h"
@@ -57,7 +57,7 @@ static void judge_arrives(examiner *x, const question *q, const reply *r)
     examiner_look(x, TDSP_RULE_ARRIVES);
     if (!forward_see(x, r->departure, &at) || at.status != TDSP_OK || agrees(x, r->departure, r, 0)) return;
     /* A jump there may be displaced. */
-    if (agrees(x, fmax(r->departure - reach, 0), r, -1) && agrees(x, r->departure + reach, r, 1)) return;
+    if (agrees(x, math_max(r->departure - reach, 0), r, -1) && agrees(x, r->departure + reach, r, 1)) return;
     tdsp_oracle_finding wrong = finding(TDSP_RULE_ARRIVES, q, r->departure, r->arrives, at.arrival);
     examiner_note(x, &wrong);
 }

@@ -6,9 +6,9 @@
  */
 #include "oracle/forward.h"
 
-#include <math.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "oracle/path.h"
 #include "scene/allocator.h"
 
@@ -71,7 +71,7 @@ static int keep(examiner *x, size_t place, const seen *s)
     memmove(x->seen + place + 1, x->seen + place, (x->seen_count - place) * sizeof *x->seen);
     x->seen[place] = *s;
     x->seen_count++;
-    if (s->status == TDSP_OK) x->out->last_departure = fmax(x->out->last_departure, s->departure);
+    if (s->status == TDSP_OK) x->out->last_departure = math_max(x->out->last_departure, s->departure);
     return 1;
 }
 
@@ -109,7 +109,7 @@ static double unit_of(const examiner *x)
 {
     seen first;
     double travel = forward_first(x, &first) && first.status == TDSP_OK ? first.arrival : 0;
-    double unit = fmax(travel, x->oracle.time_scale);
+    double unit = math_max(travel, x->oracle.time_scale);
     return unit > 0 ? unit : 1;
 }
 
@@ -157,7 +157,7 @@ static void spread_widely(examiner *x, double unit, double end, uint32_t count)
 {
     seen s;
     for (uint32_t i = 0; i < count && !x->failed; i++)
-        (void)forward_see(x, unit * pow(end / unit, (i + examiner_unit(x)) / count), &s);
+        (void)forward_see(x, math_min(unit * math_exp(math_log(end / unit) * ((i + examiner_unit(x)) / count)), end), &s);
 }
 
 /* Of the travel time, which shows a jump of the arrival among arrivals that rise anyway. */
@@ -189,7 +189,7 @@ static size_t steepest(const examiner *x)
         if (low->status != TDSP_OK || high->status != TDSP_OK) continue;
         if (high->departure - low->departure <= examiner_blur(x, low->arrival)) continue;
         double rise = rise_of(low, high);
-        if (rise <= fmax(most, 4 * comparable(x, low, high))) continue;
+        if (rise <= math_max(most, 4 * comparable(x, low, high))) continue;
         most = rise;
         found = i - 1;
     }
@@ -251,7 +251,7 @@ static double value_of(const examiner *x, const seen *s)
 /* A jump may be seen on the wrong side by both departures, of which one at least has a way. */
 static int is_blurred(const examiner *x, const seen *earlier, const seen *later)
 {
-    return later->departure - earlier->departure <= 2 * examiner_blur(x, fmin(earlier->arrival, later->arrival));
+    return later->departure - earlier->departure <= 2 * examiner_blur(x, math_min(earlier->arrival, later->arrival));
 }
 
 /* So near to the end that it may be over already: the answer then is one to no question. */
@@ -306,7 +306,7 @@ void forward_examine(examiner *x)
     (void)forward_see(x, 0, &s);
     double high = expand(x);
     double end = close_end(x);
-    double beyond = fmin(x->options->horizon, 2 * high);
+    double beyond = math_min(x->options->horizon, 2 * high);
     double unit = unit_of(x) * NEAR;
     uint32_t widely = end > LONG * unit ? count / 2 : 0;
     spread(x, 0, end, count - count / BEYOND - widely);

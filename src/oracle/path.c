@@ -5,9 +5,8 @@
  */
 #include "oracle/path.h"
 
-#include <math.h>
-
 #include "base/hash.h"
+#include "base/math.h"
 #include "base/round.h"
 #include "table/check.h"
 
@@ -87,8 +86,8 @@ typedef struct box {
 
 static void box_add(box *b, double from, double to)
 {
-    b->low = fmin(b->low, fmin(from, to));
-    b->high = fmax(b->high, fmax(from, to));
+    b->low = math_min(b->low, math_min(from, to));
+    b->high = math_max(b->high, math_max(from, to));
 }
 
 static double join_tolerance(const tdsp_oracle_path *path)
@@ -98,8 +97,8 @@ static double join_tolerance(const tdsp_oracle_path *path)
         box_add(&wide, path->legs[i].from.x, path->legs[i].to.x);
         box_add(&tall, path->legs[i].from.y, path->legs[i].to.y);
     }
-    double largest = fmax(fmax(fabs(wide.low), fabs(wide.high)), fmax(fabs(tall.low), fabs(tall.high)));
-    return JOIN_SHARE * hypot(wide.high - wide.low, tall.high - tall.low) + JOIN_ROUNDING * largest;
+    double largest = math_max(math_max(fabs(wide.low), fabs(wide.high)), math_max(fabs(tall.low), fabs(tall.high)));
+    return JOIN_SHARE * math_hypot(wide.high - wide.low, tall.high - tall.low) + JOIN_ROUNDING * largest;
 }
 
 static void judge_joins(examiner *x, double departure, const tdsp_oracle_path *path)
@@ -108,7 +107,7 @@ static void judge_joins(examiner *x, double departure, const tdsp_oracle_path *p
     examiner_look(x, TDSP_RULE_PATH_JOINS);
     for (size_t i = 1; i < path->leg_count; i++) {
         const tdsp_leg *before = &path->legs[i - 1], *leg = &path->legs[i];
-        double gap = hypot(leg->from.x - before->to.x, leg->from.y - before->to.y);
+        double gap = math_hypot(leg->from.x - before->to.x, leg->from.y - before->to.y);
         tdsp_oracle_finding wrong = {TDSP_RULE_PATH_JOINS, TDSP_ORACLE_PATH, TDSP_OK, departure, NAN, NAN, leg->start_time, before->end_time};
         if (leg->start_time != before->end_time) examiner_note(x, &wrong);
         wrong.seen = gap;

@@ -2,8 +2,7 @@
 /* Bounds are held against A at the departure itself, or, where a jump may be displaced, against A a little before and after it. */
 #include "oracle/within.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "oracle/backward.h"
 #include "oracle/forward.h"
 #include "oracle/path.h"
@@ -40,7 +39,7 @@ static int judge_number(examiner *x, const reply *r, double number)
 
 static int judge_width(examiner *x, const reply *r)
 {
-    double noise = 2 * examiner_noise(x, r->departure, fmax(r->arrival, r->lower));
+    double noise = 2 * examiner_noise(x, r->departure, math_max(r->arrival, r->lower));
     double most = r->departure + (1 + r->delta) * (r->lower - r->departure) + noise;
     tdsp_oracle_finding crossed = finding(TDSP_RULE_WITHIN, r, r->lower, r->arrival), wide = finding(TDSP_RULE_WITHIN, r, r->arrival, most);
     examiner_look(x, TDSP_RULE_WITHIN);
@@ -52,7 +51,7 @@ static int judge_width(examiner *x, const reply *r)
 /* Could A be as small as the upper bound at this departure, as large as the lower one at that? No way is an infinite arrival. */
 static int holds(const examiner *x, const reply *r, const seen *least, const seen *most)
 {
-    int reaches = isinf(r->arrival) || least->arrival <= r->arrival + examiner_noise(x, r->departure, r->arrival) + examiner_noise(x, least->departure, fmin(least->arrival, r->arrival));
+    int reaches = isinf(r->arrival) || least->arrival <= r->arrival + examiner_noise(x, r->departure, r->arrival) + examiner_noise(x, least->departure, math_min(least->arrival, r->arrival));
     int stays = isinf(most->arrival) || most->arrival >= r->lower - 2 * examiner_noise(x, most->departure, most->arrival);
     return reaches && stays;
 }
@@ -63,7 +62,7 @@ static void judge_bounds(examiner *x, const reply *r, const seen *at)
     double reach = backward_reach(x, r->departure);
     examiner_look(x, TDSP_RULE_BOUNDS);
     if (holds(x, r, at, at)) return;
-    int is_known = forward_see(x, fmax(r->departure - reach, 0), &before) && forward_see(x, r->departure + reach, &after);
+    int is_known = forward_see(x, math_max(r->departure - reach, 0), &before) && forward_see(x, r->departure + reach, &after);
     if (!is_known || holds(x, r, &before, &after)) return;
     tdsp_oracle_finding wrong = finding(TDSP_RULE_BOUNDS, r, r->arrival < at->arrival ? r->arrival : r->lower, at->arrival);
     examiner_note(x, &wrong);

@@ -54,9 +54,9 @@ static int cover_visit(void *ctx, uint32_t k)
     if (job->inside) return 0;
     if (distance >= r + reach || distance + reach <= r) return 1;
     double cosine = (r * r + distance * distance - reach * reach) / (2.0 * r * distance);
-    double half = acos(fmax(-1.0, fmin(1.0, cosine))) - OVERLAP;
+    double half = math_acos(math_max(-1.0, math_min(1.0, cosine))) - OVERLAP;
     if (half <= 0.0) return 1;
-    double from = angle_positive(atan2(between.y, between.x) - half), to = from + 2.0 * half;
+    double from = angle_positive(math_atan2(between.y, between.x) - half), to = from + 2.0 * half;
     if (to <= GEOM_TURN) return cover_add(job, from, to);
     return cover_add(job, from, GEOM_TURN) && cover_add(job, 0.0, to - GEOM_TURN);
 }
@@ -71,7 +71,7 @@ static int arcs_close(cover_arc *arcs, size_t count)
 {
     double reached = 0.0;
     qsort(arcs, count, sizeof *arcs, arc_order);
-    for (size_t i = 0; i < count && arcs[i].from <= reached; ++i) reached = fmax(reached, arcs[i].to);
+    for (size_t i = 0; i < count && arcs[i].from <= reached; ++i) reached = math_max(reached, arcs[i].to);
     return reached >= GEOM_TURN;
 }
 

@@ -18,7 +18,7 @@
 /* The last moment at which a disc does not cover a place, negative where it always does. */
 static double disc_free_until(const tdsp_disc *disc, double robot_radius, tdsp_point place)
 {
-    double gap = hypot(place.x - disc->center.x, place.y - disc->center.y) - (disc->radius + robot_radius);
+    double gap = math_hypot(place.x - disc->center.x, place.y - disc->center.y) - (disc->radius + robot_radius);
     if (disc->growth > 0.0) return gap / disc->growth;
     return gap < 0.0 ? -1.0 : INFINITY;
 }
@@ -91,7 +91,7 @@ double tdsp_scene_free_until(const tdsp_scene *scene, tdsp_point place, uint32_t
 
 static double farthest_coordinate(tdsp_point a, tdsp_point b)
 {
-    return fmax(fmax(fabs(a.x), fabs(a.y)), fmax(fabs(b.x), fabs(b.y)));
+    return math_max(math_max(fabs(a.x), fabs(a.y)), math_max(fabs(b.x), fabs(b.y)));
 }
 
 tdsp_status scene_ends_make(const tdsp_scene *scene, const tdsp_ends *given, scene_ends *out)
@@ -104,7 +104,7 @@ tdsp_status scene_ends_make(const tdsp_scene *scene, const tdsp_ends *given, sce
                        {0.0, 0}, {0.0, 0}, 0.0};
     double farthest = farthest_coordinate(ends.source, ends.destination);
     if (!(farthest <= FARTHEST)) return TDSP_NOT_SUPPORTED;
-    ends.time = scene->time * fmax(1.0, farthest);
+    ends.time = scene->time * math_max(1.0, farthest);
     ends.source_cover = scene_cover_of(scene, given->source);
     ends.destination_cover = scene_cover_of(scene, given->destination);
     *out = ends;

@@ -17,8 +17,8 @@
  * largest radius; if it does, it jumps.
  */
 #include <float.h>
-#include <math.h>
 
+#include "base/math.h"
 #include "scene/growth.h"
 
 /* How far a piece may be off, as a share of the radius. */
@@ -104,7 +104,7 @@ static int stretch_ask(follower *f, stretch *s, const law_sample *from, const la
     double fastest = 0.0;
     for (int k = 1; k < PLACES - 1; ++k) {
         if (!law_ask(f, from->time + s->length * places[k], &s->at[k])) return 0;
-        fastest = fmax(fastest, s->at[k].rate);
+        fastest = math_max(fastest, s->at[k].rate);
     }
     for (int k = 1; k < PLACES; ++k)
         if (!law_rises(f, &s->at[k - 1], &s->at[k])) return 0;
@@ -120,7 +120,7 @@ static int rate_series(const stretch *s, double series[NODES])
     for (int m = 0; m < NODES; ++m) series[m] = 0.0;
     for (int j = 0; j < NODES; ++j) {
         double x = 2.0 * places[2 * j + 1] - 1.0, before = 1.0, now = x, rate = s->at[2 * j + 1].rate;
-        largest = fmax(largest, rate);
+        largest = math_max(largest, rate);
         series[0] += rate / NODES;
         for (int m = 1; m < NODES; ++m) {
             double next = 2.0 * x * now - before;
@@ -166,7 +166,7 @@ static law_piece piece_over(const stretch *s)
 /* The growth over the stretch, by the law. */
 static double stretch_growth(const stretch *s)
 {
-    return fmax(0.0, s->at[PLACES - 1].radius - s->at[0].radius);
+    return math_max(0.0, s->at[PLACES - 1].radius - s->at[0].radius);
 }
 
 /* Move the piece by a constant rate to the law's radius at the end. */
@@ -181,7 +181,7 @@ static int piece_raise(const stretch *s, law_piece *piece)
 {
     polynomial rate = growth_rate_raised(piece);
     double least = 0.0, growth = stretch_growth(s);
-    for (int k = 0; k < 4; ++k) least = fmin(least, polynomial_least(&rate, 0.25 * k * s->length, 0.25 * (k + 1) * s->length));
+    for (int k = 0; k < 4; ++k) least = math_min(least, polynomial_least(&rate, 0.25 * k * s->length, 0.25 * (k + 1) * s->length));
     if (!(-least * s->length <= s->tolerance)) return 0;
     if (least >= 0.0) return 1;
     double scale = growth > 0.0 ? growth / (growth - least * s->length) : 0.0;
@@ -203,8 +203,8 @@ static int stretch_is_consistent(follower *f, const stretch *s)
     double least = INFINITY, most = 0.0, mean = stretch_growth(s) / s->length;
     if (s->length > STRAIGHT * f->disc->growth.until) return 1;
     for (int k = 0; k < PLACES; ++k) {
-        least = fmin(least, s->at[k].rate);
-        most = fmax(most, s->at[k].rate);
+        least = math_min(least, s->at[k].rate);
+        most = math_max(most, s->at[k].rate);
     }
     double slack = 1e-3 * most + NOISE * s->at[PLACES - 1].radius / s->length;
     if (mean < least - slack || mean > most + slack) f->wrong = "the law's rate disagrees with its radius";

@@ -78,7 +78,7 @@ static void scene_set_frame(tdsp_scene *scene)
     tdsp_point s = scene->journey.source, d = scene->journey.destination;
     scene->origin = point_make(0.5 * s.x + 0.5 * d.x, 0.5 * s.y + 0.5 * d.y);
     double extent = scene_extent(scene), straight = point_distance(s, d);
-    scene->length = fmax(straight, straight > 0.0 ? LEAST_UNIT * extent : extent);
+    scene->length = math_max(straight, straight > 0.0 ? LEAST_UNIT * extent : extent);
     if (!(scene->length > 0.0)) scene->length = 1.0;
     scene->time = scene->length / scene->journey.speed;
 }

@@ -27,7 +27,7 @@ static double least_radius(const wall_view *view, const geom_disc *disc)
     double time = view->time, away = point_distance(disc->center, view->ends->source);
     double first = disc_radius(disc, time), met = (disc->radius + disc->rate * (time + away)) / (1.0 + disc->rate);
     double until = view->ends->destination_cover.time / view->scene->time, covered = until < INFINITY ? disc_radius(disc, until) : INFINITY;
-    return fmin(fmax(first, met), covered) * (1.0 - TOUCH);
+    return math_min(math_max(first, met), covered) * (1.0 - TOUCH);
 }
 
 /* The rings about the destination. */

@@ -88,7 +88,7 @@ static tdsp_status engine_explain_leg(disc_engine *engine, engine_leg leg, int *
 
 static void engine_limit_to_goals(disc_engine *engine)
 {
-    engine_set_limit(engine, fmin(goals_latest(&engine->several), engine->question.limit));
+    engine_set_limit(engine, math_min(goals_latest(&engine->several), engine->question.limit));
 }
 
 /* A leg to one of several goals that is earlier than what was found so far. */
@@ -257,7 +257,7 @@ tdsp_status engine_run_many(disc_engine *engine, const disc_set *set, const engi
     tdsp_status status = goals_begin(&engine->several, &engine->scene->allocator, goals, count);
     if (status != TDSP_OK) return status;
     ask.goal = engine->several.middle;
-    ask.limit = fmin(ask.limit, goals_latest(&engine->several));
+    ask.limit = math_min(ask.limit, goals_latest(&engine->several));
     return engine_search(engine, set, &ask);
 }
 
@@ -290,7 +290,7 @@ tdsp_status engine_scout(disc_engine *engine, engine_question *question, int *lo
         *lost = i == 0 && engine->arrived == ENGINE_NONE;
         if (engine->arrived == ENGINE_NONE) break;
         double arrival = engine_arrival(engine);
-        ask.limit = fmin(ask.limit, arrival + LIMIT_SLACK * (1.0 + fabs(arrival)));
+        ask.limit = math_min(ask.limit, arrival + LIMIT_SLACK * (1.0 + fabs(arrival)));
     }
     question->limit = ask.limit;
     return TDSP_OK;

@@ -59,8 +59,8 @@ static int gap_corner(const geom_disc *i, const geom_disc *j, gap_event *event)
     double length = point_length(normal);
     if (!(length > 0.0)) return 0;
     event->place = point_along(i->center, ri / length, normal);
-    event->normal[0] = atan2(normal.y, normal.x);
-    event->normal[1] = atan2(event->place.y - j->center.y, event->place.x - j->center.x);
+    event->normal[0] = math_atan2(normal.y, normal.x);
+    event->normal[1] = math_atan2(event->place.y - j->center.y, event->place.x - j->center.x);
     return 1;
 }
 

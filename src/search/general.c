@@ -2,8 +2,7 @@
 /* Scenes whose rates change: the description is in general.h. */
 #include "search/general.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "tdsp/growth.h"
 
 /* A(t) counts as equal to a within this share of the times at hand. */
@@ -62,12 +61,12 @@ static int general_try(general_state *state, double departure, tdsp_status *stat
     if (!tdsp_status_is_answer(*status)) return 0;
     double over = *status == TDSP_OK ? found - state->arrival : INFINITY; /* -infinity where any arrival will do */
     *status = TDSP_OK;
-    if (over > 0.0) state->too_late = fmin(state->too_late, departure);
+    if (over > 0.0) state->too_late = math_min(state->too_late, departure);
     if (!(over <= general_slack(state, SAME_TIME))) return 0;
-    double earlier = fmax(departure - fmax(over, 0.0), 0.0); /* a path moved earlier stays a path */
+    double earlier = math_max(departure - math_max(over, 0.0), 0.0); /* a path moved earlier stays a path */
     if (earlier >= state->best) {
         state->best = earlier;
-        state->arrives = fmin(found, state->arrival);
+        state->arrives = math_min(found, state->arrival);
     }
     return 1;
 }
@@ -90,9 +89,9 @@ static tdsp_status general_from_destination(general_state *state)
     ++solver->work.reverse_searches;
     tdsp_status status = growth_departure(solver->growth, &solver->ends, state->arrival, &departure);
     if (status != TDSP_OK || departure < 0.0 || departure >= state->too_late) return status;
-    departure = fmin(departure, solver->ends.source_cover.time);
+    departure = math_min(departure, solver->ends.source_cover.time);
     if (departure > state->best && !general_try(state, departure, &status) && status == TDSP_OK)
-        general_try(state, fmax(departure - general_slack(state, SAME_TIME), 0.0), &status);
+        general_try(state, math_max(departure - general_slack(state, SAME_TIME), 0.0), &status);
     return status;
 }
 
@@ -113,7 +112,7 @@ static tdsp_status general_search(general_state *state)
 static tdsp_status general_endless(general_state *state)
 {
     tdsp_solver *solver = state->solver;
-    double covered = solver->ends.source_cover.time, last = fmin(covered, growth_still_from(solver->growth));
+    double covered = solver->ends.source_cover.time, last = math_min(covered, growth_still_from(solver->growth));
     tdsp_status status;
     state->scale += last;
     if (general_try(state, last, &status) && isinf(covered)) state->best = state->arrives = INFINITY;
@@ -125,17 +124,17 @@ tdsp_status general_latest(tdsp_solver *solver, double arrival, double after, do
 {
     const scene_ends *ends = &solver->ends;
     double straight = point_distance(ends->source, ends->destination) * solver->scene->time;
-    general_state state = {solver, fmin(arrival, ends->destination_cover.time), after, -1.0, before, ends->time};
+    general_state state = {solver, math_min(arrival, ends->destination_cover.time), after, -1.0, before, ends->time};
     tdsp_status status = TDSP_OK;
     solver->has_path = 0;
-    if (solver_is_far(solver, fmin(state.arrival, ends->source_cover.time)) && !isinf(state.arrival)) return TDSP_NOT_SUPPORTED;
+    if (solver_is_far(solver, math_min(state.arrival, ends->source_cover.time)) && !isinf(state.arrival)) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0)) {
         state.best = -1.0;
     } else if (isinf(state.arrival)) {
         status = general_endless(&state);
     } else {
         state.scale += state.arrival;
-        state.too_late = fmin(state.too_late, state.arrival - straight + general_slack(&state, PROOF_STEP));
+        state.too_late = math_min(state.too_late, state.arrival - straight + general_slack(&state, PROOF_STEP));
         status = general_check(solver, state.arrival);
         if (status == TDSP_OK) status = general_search(&state);
     }

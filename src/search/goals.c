@@ -10,18 +10,18 @@ static void goals_enclose(goal_set *self)
     tdsp_point low = self->goals[0].place, high = low;
     for (uint32_t k = 1; k < self->count; ++k) {
         tdsp_point place = self->goals[k].place;
-        low = point_make(fmin(low.x, place.x), fmin(low.y, place.y));
-        high = point_make(fmax(high.x, place.x), fmax(high.y, place.y));
+        low = point_make(math_min(low.x, place.x), math_min(low.y, place.y));
+        high = point_make(math_max(high.x, place.x), math_max(high.y, place.y));
     }
     self->middle = point_scale(0.5, point_add(low, high));
     self->spread = 0.0;
-    for (uint32_t k = 0; k < self->count; ++k) self->spread = fmax(self->spread, point_distance(self->middle, self->goals[k].place));
+    for (uint32_t k = 0; k < self->count; ++k) self->spread = math_max(self->spread, point_distance(self->middle, self->goals[k].place));
     self->spread *= 1.0 + SLACK;
 }
 
 static double goal_latest(const engine_goal *goal)
 {
-    return goal->is_settled ? -INFINITY : fmin(goal->best, goal->until);
+    return goal->is_settled ? -INFINITY : math_min(goal->best, goal->until);
 }
 
 /* A node's children come after it. */
@@ -30,9 +30,9 @@ static void goals_update(goal_set *self)
     const scene_index *index = &self->points.index;
     for (uint32_t k = index->node_count; k-- > 0;) {
         const index_node *node = &index->nodes[k];
-        double latest = node->count ? -INFINITY : fmax(self->latest[k + 1], self->latest[node->right]);
+        double latest = node->count ? -INFINITY : math_max(self->latest[k + 1], self->latest[node->right]);
         for (uint32_t i = node->first; i < node->first + node->count; ++i)
-            latest = fmax(latest, goal_latest(&self->goals[self->points.origin[i]]));
+            latest = math_max(latest, goal_latest(&self->goals[self->points.origin[i]]));
         self->latest[k] = latest;
     }
 }

@@ -12,8 +12,8 @@
  * A is increasing, so a forward search just after the winner proves that nothing later will do. Where that proof fails (the jump had another
  * cause) the answer is found by bisection on A.
  */
-#include <math.h>
 
+#include "base/math.h"
 #include "search/gap.h"
 #include "search/general.h"
 #include "search/reason.h"
@@ -52,7 +52,7 @@ typedef struct latest_state {
 
 static double latest_slack(const latest_state *state, double share)
 {
-    return share * (state->solver->ends.time + state->arrival - fmax(state->best, 0.0)) + ROUNDING * state->arrival;
+    return share * (state->solver->ends.time + state->arrival - math_max(state->best, 0.0)) + ROUNDING * state->arrival;
 }
 
 /* Ask for A(t) and learn from the answer. *status is an error or TDSP_OK. Returns 1 when t arrives by a. */
@@ -66,15 +66,15 @@ static int latest_try(latest_state *state, double departure, tdsp_status *status
     int good = *status == TDSP_OK && found <= until;
     *status = TDSP_OK;
     if (!good) {
-        state->too_late = fmin(state->too_late, departure);
+        state->too_late = math_min(state->too_late, departure);
         return 0;
     }
     double over = found - state->arrival;
-    if (over > 0.0) state->too_late = fmin(state->too_late, departure);
-    double earlier = fmax(departure - fmax(over, 0.0), 0.0); /* a path moved earlier stays a path */
+    if (over > 0.0) state->too_late = math_min(state->too_late, departure);
+    double earlier = math_max(departure - math_max(over, 0.0), 0.0); /* a path moved earlier stays a path */
     if (earlier > state->best) {
         state->best = earlier;
-        state->arrives = fmin(found, state->arrival);
+        state->arrives = math_min(found, state->arrival);
     }
     return 1;
 }
@@ -99,7 +99,7 @@ static tdsp_status latest_reverse(latest_state *state, const engine_question *qu
     if (lost && solver->engine.gave_up) return TDSP_NO_ANSWER;
     if (status == TDSP_OK && !lost) status = engine_run(&solver->engine, state->set, &ask);
     *departure = -1.0;
-    if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = fmax(-engine_arrival(&solver->engine), 0.0);
+    if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = math_max(-engine_arrival(&solver->engine), 0.0);
     return status;
 }
 
@@ -115,11 +115,11 @@ engine_question solver_reverse_question(const tdsp_solver *solver, double time, 
 static tdsp_status latest_from_destination(latest_state *state)
 {
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = solver_reverse_question(state->solver, state->arrival / scene->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = solver_reverse_question(state->solver, state->arrival / scene->time, -math_max(state->best, 0.0) / scene->time);
     double departure;
     tdsp_status status = latest_reverse(state, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
-    latest_try_solved(state, fmin(departure * scene->time, state->solver->ends.source_cover.time), &status);
+    latest_try_solved(state, math_min(departure * scene->time, state->solver->ends.source_cover.time), &status);
     return status;
 }
 
@@ -127,7 +127,7 @@ static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
 {
     const engine_seed seeds[2] = {{event->first, -event->side, event->normal[0]}, {event->second, event->side, event->normal[1]}};
     const tdsp_scene *scene = state->solver->scene;
-    engine_question question = solver_reverse_question(state->solver, event->time, -fmax(state->best, 0.0) / scene->time);
+    engine_question question = solver_reverse_question(state->solver, event->time, -math_max(state->best, 0.0) / scene->time);
     question.seeds = seeds;
     question.seed_count = 2;
     event->solved = 1;
@@ -152,7 +152,7 @@ static tdsp_status latest_gap_leads_on(latest_state *state, const gap_event *eve
     const scene_ends *ends = &state->solver->ends;
     double unit = state->solver->scene->time, until = (state->arrival + latest_slack(state, SAME_TIME)) / unit;
     engine_question question = {ENGINE_FORWARD, ends->source, ends->destination, event->time, -INFINITY,
-                                fmin(until, ends->destination_cover.time / unit), until, 1.0, 0, 0, seeds, 2};
+                                math_min(until, ends->destination_cover.time / unit), until, 1.0, 0, 0, seeds, 2};
     tdsp_status status = engine_run(&state->solver->engine, state->set, &question);
     *leads = status == TDSP_OK && state->solver->engine.arrived != ENGINE_NONE;
     return status;
@@ -238,7 +238,7 @@ static tdsp_status ask_latest(void *ctx, const disc_set *set)
     state->best = state->known_good;
     state->arrives = -1.0;
     state->too_late = state->arrival + latest_slack(state, PROOF_STEP); /* the journey takes some time */
-    if (set == &solver->scene->all) state->too_late = fmin(state->too_late, state->known_late);
+    if (set == &solver->scene->all) state->too_late = math_min(state->too_late, state->known_late);
     state->gap = NULL;
     tdsp_status status = latest_search(state);
     solver->engine.arrived = ENGINE_NONE;
@@ -276,16 +276,16 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after,
     const tdsp_scene *scene = solver->scene;
     const scene_ends *ends = &solver->ends;
     double straight = point_distance(ends->source, ends->destination) * scene->time;
-    latest_state start = {solver, &scene->all, solver->work, fmin(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
+    latest_state start = {solver, &scene->all, solver->work, math_min(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
                           after, before};
     *state = start;
     solver->has_path = 0;
     if (solver->growth) return latest_general(state, arrival);
     if (scene_is_still(scene)) return latest_still(state, arrival);
-    if (solver_is_far(solver, fmin(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
+    if (solver_is_far(solver, math_min(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
     if (straight > 0.0) return relax_run(&solver->relaxation, &solver->engine, ask_latest, state);
-    state->best = state->arrives = fmin(state->arrival, ends->source_cover.time);
+    state->best = state->arrives = math_min(state->arrival, ends->source_cover.time);
     solver->engine.arrived = ENGINE_NONE;
     return route_keep(solver, state->best, state->best);
 }
@@ -304,11 +304,11 @@ static tdsp_status latest_confirm(latest_state *state)
         tdsp_status status = solver_arrival(solver, state->best, &found);
         if (!tdsp_status_is_answer(status)) return status;
         if ((status == TDSP_OK && found <= state->arrival) || state->best == 0.0) {
-            state->arrives = fmin(found, state->arrival);
+            state->arrives = math_min(found, state->arrival);
             return route_keep(solver, state->best, state->arrives);
         }
-        late = fmax(2.0 * late, fmax(found - state->arrival, ROUNDING * state->arrival));
-        state->best = fmax(state->best - fmin(late, back), 0.0);
+        late = math_max(2.0 * late, math_max(found - state->arrival, ROUNDING * state->arrival));
+        state->best = math_max(state->best - math_min(late, back), 0.0);
         if (late > back) back *= 4.0;
     }
 }
@@ -345,7 +345,7 @@ tdsp_status solver_departure_between(tdsp_solver *solver, double arrival, double
     tdsp_status status = latest_run(solver, arrival, after, before, &state);
     if (status == TDSP_OK && state.best > after && !isinf(state.best)) status = latest_confirm(&state);
     if (status != TDSP_OK) return status;
-    *departure = fmax(state.best, after);
+    *departure = math_max(state.best, after);
     *arrives = state.arrives;
     return TDSP_OK;
 }
@@ -372,9 +372,9 @@ tdsp_status solver_departure_at(tdsp_solver *solver, double arrival, double cand
     const scene_ends *ends = &solver->ends;
     int known;
     if (scene_covered(ends->source_cover, 0.0)) return TDSP_SOURCE_COVERED;
-    latest_state state = {solver, &solver->scene->all, solver->work, fmin(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
+    latest_state state = {solver, &solver->scene->all, solver->work, math_min(arrival, ends->destination_cover.time), -1.0, -1.0, INFINITY, NULL,
                           -1.0, INFINITY};
-    state.best = fmin(candidate, ends->source_cover.time);
+    state.best = math_min(candidate, ends->source_cover.time);
     tdsp_status status = candidate < 0.0 ? latest_without(&state, &known) : latest_with(&state, &known);
     if (!tdsp_status_is_answer(status)) return status;
     if (!known) return tdsp_latest_departure(solver, arrival, departure, arrives);

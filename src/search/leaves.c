@@ -263,7 +263,7 @@ static tdsp_status task_look_around(leave_task *task)
 /* Is a place so near that it can be reached from here by then? */
 static int task_reaches(const leave_task *task, double distance, double latest)
 {
-    return task->wedge.motion.start - task->wedge.half_length + distance < fmin(latest, task->engine->limit);
+    return task->wedge.motion.start - task->wedge.half_length + distance < math_min(latest, task->engine->limit);
 }
 
 /* Push the legs to the goals of a leaf. */
@@ -312,7 +312,7 @@ tdsp_status leaves_push(disc_engine *engine, uint32_t ride, double from, double 
     leave_task task;
     geom_ride motion = engine_ride_motion(engine, &engine->rides[ride], from, to);
     task_init(&task, engine, ride, engine->rides[ride].disc, done);
-    wedge_of_chunk(&task.wedge, &motion, fmax(engine_true_time(engine, from), engine_true_time(engine, to)), engine->rate_max);
+    wedge_of_chunk(&task.wedge, &motion, math_max(engine_true_time(engine, from), engine_true_time(engine, to)), engine->rate_max);
     tdsp_status status = engine->several.goals ? TDSP_OK : task_try_goal(&task, &engine->goal);
     if (status == TDSP_OK) status = neighbours_of_disc(engine->around, &engine->scene->allocator, task.self, &task.place);
     if (status != TDSP_OK || *done) return status;

@@ -98,7 +98,7 @@ static double many_discs_met(const many_question *self)
     double farthest = 0.0, met = 0.0;
     for (size_t k = 0; k < self->count; ++k) {
         const scene_ends *ends = &self->places[k].ends;
-        farthest = fmax(farthest, point_distance(ends->source, ends->destination));
+        farthest = math_max(farthest, point_distance(ends->source, ends->destination));
     }
     index_near(&view, self->direction == ENGINE_FORWARD ? any->source : any->destination, farthest, 0.0, count_disc, &met);
     return met;
@@ -161,7 +161,7 @@ static tdsp_status arrivals_share(many_question *self)
 static tdsp_status departures_share(many_question *self)
 {
     tdsp_solver *solver = self->solver;
-    double unit = solver->scene->time, last = fmin(self->time, solver->ends.destination_cover.time);
+    double unit = solver->scene->time, last = math_min(self->time, solver->ends.destination_cover.time);
     if (scene_is_still(solver->scene) || isinf(last)) return TDSP_OK;
     engine_question question = solver_reverse_question(solver, last / unit, 0.0);
     tdsp_status status = many_flood(self, &question);

@@ -51,10 +51,10 @@ static double size_met(const tdsp_solver *solver, uint32_t disc, double time)
     const tdsp_journey *journey = &solver->scene->journey;
     double low = 0.0, high = point_distance(solver->scene->discs[disc].center, solver->ends.given.source), way = high, last = last_moment(solver);
     for (int step = 0; step < HALVINGS; ++step) {
-        double middle = 0.5 * (low + high), met = fmin(time + (way - middle) / journey->speed, last);
+        double middle = 0.5 * (low + high), met = math_min(time + (way - middle) / journey->speed, last);
         *(size_at(solver, disc, met) + journey->radius >= middle ? &low : &high) = middle;
     }
-    return fmax(low - journey->radius, 0.0);
+    return math_max(low - journey->radius, 0.0);
 }
 
 /*

@@ -36,11 +36,11 @@ static double chunk_end(disc_engine *engine, uint32_t r, int *ended)
     const geom_disc *disc = engine_disc(engine, ride->disc);
     double from = ride->now, full = from + spiral_duration(disc, from, chunk_angle(disc));
     double lap = ride->start + spiral_duration(disc, ride->start, GEOM_TURN);
-    double to = fmin(fmin(full, lap), fmin(engine->limit, ride_vanishes(disc)));
+    double to = math_min(math_min(full, lap), math_min(engine->limit, ride_vanishes(disc)));
     if (to > from) to = sweep_cut(engine, r, from, to);
     if (to > from) {
         geom_ride motion = engine_ride_motion(engine, ride, from, to);
-        to = fmin(to, index_ride_contact(&engine->view, &motion, ride->disc));
+        to = math_min(to, index_ride_contact(&engine->view, &motion, ride->disc));
     }
     *ended = !(to >= full) || !(full > from); /* round a pebble too small for time to pass */
     return to;
@@ -54,7 +54,7 @@ static tdsp_status ride_explain(disc_engine *engine, uint32_t r, double from, do
 {
     geom_ride motion = engine_ride_motion(engine, &engine->rides[r], from, to);
     tdsp_point offset = point_sub(engine->question.goal, motion.disc->center);
-    double ahead = angle_positive(motion.side * (atan2(offset.y, offset.x) - motion.angle));
+    double ahead = angle_positive(motion.side * (math_atan2(offset.y, offset.x) - motion.angle));
     double pass = from + spiral_duration(motion.disc, from, ahead);
     if (!(pass <= to) || point_length(offset) > disc_radius(motion.disc, pass)) return TDSP_OK;
     double normal = ride_angle(&motion, pass);

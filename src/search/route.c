@@ -94,7 +94,7 @@ static void path_finish(tdsp_solver *solver, double departure, double arrival)
         leg->start_time = now;
         leg->to = at = last ? solver->ends.given.destination : scene_place(scene, leg->to);
         /* An arrival that is a touch late was set to the moment in which the destination is covered: nothing on the way is later. */
-        leg->end_time = now = last ? arrival : fmin(fmax(now, departure + (leg->end_time - start) * scene->time), arrival);
+        leg->end_time = now = last ? arrival : math_min(math_max(now, departure + (leg->end_time - start) * scene->time), arrival);
         if (leg->kind != TDSP_LEG_ARC) continue;
         const tdsp_disc *disc = &scene->discs[leg->disc];
         leg->center = disc->center;

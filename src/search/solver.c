@@ -120,7 +120,7 @@ engine_question solver_forward_question(const tdsp_solver *solver, double depart
 double solver_time_of(const tdsp_solver *solver, double departure, double began, double time)
 {
     double found = departure + (time - began) * solver->scene->time;
-    return fmin(found, fmax(departure, solver->ends.destination_cover.time));
+    return math_min(found, math_max(departure, solver->ends.destination_cover.time));
 }
 
 /* Where the scouts are lost the destination may be walled in; if it is not, relaxation has another try. */
@@ -152,7 +152,7 @@ tdsp_status solver_forward(tdsp_solver *solver, const disc_set *set, double depa
     }
     engine_question question = solver_forward_question(solver, departure);
     double latest = question.time + (until - departure) / solver->scene->time;
-    question.limit = fmin(question.limit, latest + GEOM_CONTACT * fabs(latest));
+    question.limit = math_min(question.limit, latest + GEOM_CONTACT * fabs(latest));
     ++solver->work.forward_searches;
     tdsp_status status = solver_run(solver, set, &question);
     if (status != TDSP_OK) return status;

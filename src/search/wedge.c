@@ -68,7 +68,7 @@ void wedge_set_limit(look_wedge *self, tdsp_point goal, double limit)
     double distance = point_length(offset), left = limit - self->motion.start + self->half_length;
     double aside = fabs(wedge_direction(self, angle_near(offset.y, offset.x))) - self->half_angle - NEAR;
     left += GEOM_CONTACT * (distance + fabs(limit));
-    double spare = left - distance * (aside > 0.0 ? cos(aside) : 1.0);
+    double spare = left - distance * (aside > 0.0 ? math_cos(aside) : 1.0);
     self->longest = left < distance ? -1.0 : spare > 0.0 ? (left - distance) * (left + distance) / (2.0 * spare) : INFINITY;
 }
 

@@ -40,7 +40,7 @@ static tdsp_status ask_within(void *ctx, const disc_set *set)
     solver->work = self->before;
     if (set != &solver->scene->all || scene_covered(solver->ends.source_cover, self->departure) || ends_meet(&solver->ends)) {
         self->answer = solver_forward(solver, set, self->departure, INFINITY, &self->arrival);
-        if (self->answer == TDSP_OK) self->lower = fmax(self->lower, self->arrival);
+        if (self->answer == TDSP_OK) self->lower = math_max(self->lower, self->arrival);
         return tdsp_status_is_answer(self->answer) ? TDSP_OK : self->answer;
     }
     engine_question question = solver_forward_question(solver, self->departure);
@@ -52,7 +52,7 @@ static tdsp_status ask_within(void *ctx, const disc_set *set)
     self->answer = solver->engine.arrived == ENGINE_NONE ? TDSP_CUT_OFF : TDSP_OK;
     if (self->answer != TDSP_OK) return TDSP_OK;
     self->arrival = solver_time_of(solver, self->departure, question.time, engine_arrival(&solver->engine));
-    self->lower = fmax(self->lower, solver_time_of(solver, self->departure, question.time, engine_lower_bound(&solver->engine)));
+    self->lower = math_max(self->lower, solver_time_of(solver, self->departure, question.time, engine_lower_bound(&solver->engine)));
     return TDSP_OK;
 }
 
@@ -73,6 +73,6 @@ tdsp_status tdsp_earliest_arrival_within(tdsp_solver *solver, double departure, 
     status = solver_conclude(solver, departure, question.arrival, question.answer);
     if (!tdsp_status_is_answer(status)) return status;
     *arrival = status == TDSP_OK ? question.arrival : INFINITY;
-    *lower = status == TDSP_OK ? fmin(question.lower, question.arrival) : INFINITY;
+    *lower = status == TDSP_OK ? math_min(question.lower, question.arrival) : INFINITY;
     return status;
 }

@@ -9,8 +9,7 @@
  * Where both discs grow at one rate the place is mostly a gap event, whose time and corner are known in closed form (gap.h): they then stand for what
  * was found. They do not where the corner lies within a third disc before it is as slow as the robot.
  */
-#include <math.h>
-
+#include "base/math.h"
 #include "search/solver.h"
 #include "tdsp/growth.h"
 #include "tdsp/path.h"
@@ -95,7 +94,7 @@ static void pinch_pair(pinch *self, uint32_t disc, double time)
         if (k == disc || fabs(clearance_at(self, k, time)) >= self->nearest) continue;
         sight other = sight_of(self, k, time);
         if (one.hand * other.hand >= 0.0) continue;
-        self->nearest = fmax(fabs(one.clearance), fabs(other.clearance));
+        self->nearest = math_max(fabs(one.clearance), fabs(other.clearance));
         self->gap = (tdsp_gap){disc < k ? disc : k, disc < k ? k : disc, time, tdsp_leg_position(self->leg, time)};
     }
 }
@@ -163,8 +162,8 @@ static void witness_polish(const tdsp_solver *solver, tdsp_gap *gap)
     const tdsp_scene *scene = solver->scene;
     double vi = scene->discs[gap->first].growth / scene->journey.speed, vj = scene->discs[gap->second].growth / scene->journey.speed;
     if (!tdsp_scene_has_rates_only(scene) || !(vi < 1.0) || !(vj < 1.0)) return;
-    double angle = acos(vi) + acos(vj), times[2], near = POLISH * scene->length;
-    int count = event_times(solver, gap, cos(angle), times);
+    double angle = math_acos(vi) + math_acos(vj), times[2], near = POLISH * scene->length;
+    int count = event_times(solver, gap, math_cos(angle), times);
     const tdsp_gap found = *gap;
     for (int k = 0; k < count; ++k)
         for (int side = -1; side <= 1; side += 2) {

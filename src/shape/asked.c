@@ -8,8 +8,7 @@
  */
 #include "shape/asked.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "search/solver.h"
 
 /* Distances behind a jump grow by this, so often at most: up to 4^20 times the error is far beyond what a solver can be off. */
@@ -43,7 +42,7 @@ static tdsp_status asked_last(asked *self)
     int endless = status == TDSP_NOT_SUPPORTED || (status == TDSP_OK && isinf(last));
     if (endless && isinf(self->options.until)) return TDSP_NEEDS_HORIZON;
     if (status != TDSP_OK) return status;
-    self->options.until = fmax(fmin(self->options.until, last), self->options.from);
+    self->options.until = math_max(math_min(self->options.until, last), self->options.from);
     return asked_travel(self, self->options.until, &self->last);
 }
 

@@ -9,9 +9,9 @@
  * Why no finer test for stretches of one form: a path of another form may be shorter for a while and the first one again after that, which no value of
  * T outside of that while gives away.
  */
-#include <math.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "scene/allocator.h"
 #include "shape/asked.h"
 #include "shape/forms.h"
@@ -179,7 +179,7 @@ static tdsp_status search_pieces(envelope_search *self)
     const tdsp_gap none = {TDSP_NO_DISC, TDSP_NO_DISC, 0.0, {0, 0}};
     formed last;
     double resolution = options->resolution > 0.0 ? options->resolution : DEFAULT_RESOLUTION * (options->until - options->from);
-    self->envelope->resolution = fmax(resolution, accuracy_at(self, self->ask.last));
+    self->envelope->resolution = math_max(resolution, accuracy_at(self, self->ask.last));
     tdsp_status status = ask_formed(self, options->from, SWEEP, &self->begin);
     if (status == TDSP_OK) status = ask_formed(self, options->until, SWEEP, &last);
     if (status == TDSP_OK) status = push_stretch(self, self->begin, last);

@@ -8,9 +8,9 @@
  * of the whole; or it is earlier, and then the arrival lies inside a jump at t: that is found, and the parts on both sides of it have
  * less than half of the arrivals each. So the division ends: a stretch whose arrivals are no more than `least` rises by no more.
  */
-#include <math.h>
 #include <string.h>
 
+#include "base/math.h"
 #include "scene/allocator.h"
 #include "shape/asked.h"
 
@@ -90,7 +90,7 @@ static tdsp_status search_all(jump_search *self)
 {
     const tdsp_shape_options *options = &self->ask.options;
     double rise = self->ask.last.travel - self->ask.first.travel;
-    self->least = options->least > 0.0 ? options->least : fmax(DEFAULT_LEAST * rise, 16.0 * asked_noise(&self->ask, self->ask.last));
+    self->least = options->least > 0.0 ? options->least : math_max(DEFAULT_LEAST * rise, 16.0 * asked_noise(&self->ask, self->ask.last));
     tdsp_status status = push_task(self, self->ask.first, self->ask.last, 0);
     while (status == TDSP_OK && self->count > 0) {
         jump_task task = self->tasks[--self->count];

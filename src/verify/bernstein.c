@@ -2,7 +2,7 @@
 /* See bernstein.h. */
 #include "verify/bernstein.h"
 
-#include <math.h>
+#include "base/math.h"
 
 #define MOST_HALVINGS 48
 
@@ -121,32 +121,32 @@ double bernstein_value(const bernstein *p, double x)
 double bernstein_least(const bernstein *p)
 {
     double least = p->b[0];
-    for (int k = 1; k <= p->degree; k++) least = fmin(least, p->b[k]);
+    for (int k = 1; k <= p->degree; k++) least = math_min(least, p->b[k]);
     return least;
 }
 
 double bernstein_most(const bernstein *p)
 {
     double most = p->b[0]; /* NOLINT(clang-analyzer-core.uninitialized.Assign): a degree is not below 0, so bernstein_cut() fills both parts */
-    for (int k = 1; k <= p->degree; k++) most = fmax(most, p->b[k]);
+    for (int k = 1; k <= p->degree; k++) most = math_max(most, p->b[k]);
     return most;
 }
 
 double bernstein_size(const bernstein *p)
 {
-    return fmax(fabs(bernstein_least(p)), fabs(bernstein_most(p)));
+    return math_max(fabs(bernstein_least(p)), fabs(bernstein_most(p)));
 }
 
 /* `found` is the greatest value seen. */
 static double bernstein_maximum_of(const bernstein *p, double *found, double resolution, int halvings)
 {
     const double bound = bernstein_most(p);
-    *found = fmax(*found, fmax(p->b[0], p->b[p->degree])); /* NOLINT(clang-analyzer-core.CallAndMessage): likewise */
+    *found = math_max(*found, math_max(p->b[0], p->b[p->degree])); /* NOLINT(clang-analyzer-core.CallAndMessage): likewise */
     if (!(bound > *found + resolution) || halvings == 0) return bound;
     bernstein low, high;
     bernstein_halve(p, &low, &high);
     const double first = bernstein_maximum_of(&low, found, resolution, halvings - 1);
-    return fmax(first, bernstein_maximum_of(&high, found, resolution, halvings - 1));
+    return math_max(first, bernstein_maximum_of(&high, found, resolution, halvings - 1));
 }
 
 double bernstein_maximum(const bernstein *p, double resolution)

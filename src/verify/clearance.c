@@ -2,8 +2,7 @@
 /* See clearance.h for the bounds. */
 #include "verify/clearance.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "verify/stretch.h"
 
 #define CHEAP_EVALUATIONS 2000
@@ -59,8 +58,8 @@ static double part_bent_bound(const motion *m, const nearby_disc *disc, const pa
     const double radii = disc_radius(disc, m->leg.start_time + q->a) + disc_radius(disc, m->leg.start_time + q->b);
     const double near = 0.5 * (q->fa + q->fb + radii - m->speed * span);
     if (!(near > 0.0)) return -INFINITY;
-    const double bend = m->tangential / fmin(motion_radius(m, q->a), motion_radius(m, q->b));
-    return fmin(q->fa, q->fb) - m->speed * (m->speed / near + bend) * span * span / 8.0;
+    const double bend = m->tangential / math_min(motion_radius(m, q->a), motion_radius(m, q->b));
+    return math_min(q->fa, q->fb) - m->speed * (m->speed / near + bend) * span * span / 8.0;
 }
 
 /* The larger of the two lower bounds on f over a part. */
@@ -69,7 +68,7 @@ static double part_bound(const motion *m, const nearby_disc *disc, const part *q
     const double span = q->b - q->a, fall = m->speed + disc->growth, rise = m->speed - disc->growth;
     if (rise <= 0.0) return q->fb;
     const double first = (q->fa * rise + q->fb * fall - fall * rise * span) / (fall + rise);
-    return fmin(fmin(q->fa, q->fb), fmax(first, part_bent_bound(m, disc, q)));
+    return math_min(math_min(q->fa, q->fb), math_max(first, part_bent_bound(m, disc, q)));
 }
 
 /* Keep what a part's bound says of the whole when nothing lower than the resolution is left to find in it. */
@@ -78,7 +77,7 @@ static int part_settled(const pass *p, const nearby_disc *disc, const part *q, d
     const double bound = part_bound(p->m, disc, q);
     const double middle = q->a + 0.5 * (q->b - q->a);
     if (bound < p->least->found - resolution && middle > q->a && middle < q->b) return 0;
-    p->least->bound = fmin(p->least->bound, bound);
+    p->least->bound = math_min(p->least->bound, bound);
     return 1;
 }
 
@@ -96,7 +95,7 @@ static void arc_clear(pass *p, const nearby_disc *disc)
         const part halves[2] = {{q.a, middle, q.fa, f}, {middle, q.b, f, q.fb}};
         const int lower_first = q.fa < q.fb;
         if (open + 2 > STACK_PARTS) {
-            p->least->bound = fmin(p->least->bound, part_bound(p->m, disc, &q));
+            p->least->bound = math_min(p->least->bound, part_bound(p->m, disc, &q));
             continue;
         }
         stack[open++] = halves[lower_first];
@@ -112,7 +111,7 @@ static void growing_clear(pass *p, const nearby_disc *disc)
     double from = m->leg.start_time, to;
     do {
         s.piece = p->scene ? swell_at(p->scene, disc->index, from) : swell_of_rate(disc->radius, disc->growth);
-        to = fmin(s.piece.end, m->leg.end_time);
+        to = math_min(s.piece.end, m->leg.end_time);
         stretch_clear(&s, from - m->leg.start_time, to < m->leg.end_time ? to - m->leg.start_time : m->duration);
         from = to;
     } while (to < m->leg.end_time);
@@ -132,7 +131,7 @@ static void disc_clear(void *ctx, const nearby_disc *disc)
     } else if (apart <= p->least->fine) {
         /* Around the common centre f is linear; each distance differs from that by no more than the centres do. */
         const double start = pass_evaluate(p, disc, 0.0), end = pass_evaluate(p, disc, m->duration);
-        p->least->bound = fmin(p->least->bound, fmin(start, end) - 2.0 * apart);
+        p->least->bound = math_min(p->least->bound, math_min(start, end) - 2.0 * apart);
     } else {
         arc_clear(p, disc);
     }

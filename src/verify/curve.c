@@ -2,7 +2,7 @@
 /* See curve.h. */
 #include "verify/curve.h"
 
-#include <math.h>
+#include "base/math.h"
 
 #define SPEED_RESOLUTION 2e-11 /* of the square of the speed */
 
@@ -57,7 +57,7 @@ static double curve_reach(const bernstein *distance, const bernstein *outward, c
     const bernstein squares[2] = {bernstein_times(outward, outward), bernstein_times(&across, &across)};
     const bernstein square = bernstein_sum(&squares[0], &squares[1]);
     if (!all_finite(square.b, square.degree + 1)) return INFINITY;
-    const double seen = fmax(bernstein_value(&square, 0.5), fmax(square.b[0], square.b[square.degree]));
+    const double seen = math_max(bernstein_value(&square, 0.5), math_max(square.b[0], square.b[square.degree]));
     return sqrt(bernstein_maximum(&square, seen > 0.0 ? SPEED_RESOLUTION * seen : bernstein_size(&square)));
 }
 
@@ -65,7 +65,7 @@ void curve_fill(motion *m)
 {
     const tdsp_leg *leg = &m->leg;
     curve_shape(m);
-    m->length = hypot(leg->radius_to - leg->radius_from, leg->sweep * fmax(leg->radius_from, leg->radius_to));
+    m->length = math_hypot(leg->radius_to - leg->radius_from, leg->sweep * math_max(leg->radius_from, leg->radius_to));
     if (!(m->duration > 0.0)) return;
     const bernstein distance = curve_polynomial(m->distance), turned = curve_polynomial(m->turned);
     const bernstein outward = bernstein_slope(&distance), turning = bernstein_slope(&turned);
@@ -75,7 +75,7 @@ void curve_fill(motion *m)
     const double across = 2.0 * bernstein_size(&outward) * pace + radius * bernstein_size(&spinning);
     m->length = curve_reach(&distance, &outward, &turning);
     m->speed = m->length / m->duration;
-    m->bend = hypot(along, across) / m->duration / m->duration;
+    m->bend = math_hypot(along, across) / m->duration / m->duration;
 }
 
 int curve_well_formed(const tdsp_leg *leg)

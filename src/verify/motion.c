@@ -2,8 +2,7 @@
 /* See motion.h for the derivation. */
 #include "verify/motion.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "verify/curve.h"
 
 static int point_finite(tdsp_point p)
@@ -32,7 +31,7 @@ int motion_well_formed(const tdsp_leg *leg)
 
 double motion_distance(tdsp_point a, tdsp_point b)
 {
-    return hypot(b.x - a.x, b.y - a.y);
+    return math_hypot(b.x - a.x, b.y - a.y);
 }
 
 /* The members that only a curve has are filled in only for one. */
@@ -51,9 +50,9 @@ motion motion_of(const tdsp_leg *leg)
         m.length = motion_distance(leg->from, leg->to);
     } else {
         m.growth = (leg->radius_to - leg->radius_from) / leg->radius_from;
-        m.log_growth = log1p(m.growth);
+        m.log_growth = math_log1p(m.growth);
         across = leg->sweep * leg->radius_from * (m.log_growth == 0.0 ? 1.0 : m.growth / m.log_growth);
-        m.length = hypot(leg->radius_to - leg->radius_from, across);
+        m.length = math_hypot(leg->radius_to - leg->radius_from, across);
     }
     if (m.duration > 0.0) {
         m.speed = m.length / m.duration;
@@ -72,13 +71,13 @@ double motion_bend(const motion *m, double from, double to)
 {
     if (m->leg.kind == TDSP_LEG_LINE) return 0.0;
     if (m->leg.kind == TDSP_LEG_CURVE) return m->bend;
-    return m->speed * m->tangential / fmin(motion_radius(m, from), motion_radius(m, to));
+    return m->speed * m->tangential / math_min(motion_radius(m, from), motion_radius(m, to));
 }
 
 static double motion_turned(const motion *m, double share)
 {
     if (m->leg.kind == TDSP_LEG_CURVE) return curve_turned_at(m, share);
-    return m->leg.sweep * (m->log_growth == 0.0 ? share : log1p(m->growth * share) / m->log_growth);
+    return m->leg.sweep * (m->log_growth == 0.0 ? share : math_log1p(m->growth * share) / m->log_growth);
 }
 
 tdsp_point motion_position(const motion *m, double elapsed)
@@ -91,7 +90,9 @@ tdsp_point motion_position(const motion *m, double elapsed)
     }
     const double angle = leg->angle_from + (double)leg->turn * motion_turned(m, x);
     const double radius = motion_radius(m, elapsed);
-    return (tdsp_point){leg->center.x + radius * cos(angle), leg->center.y + radius * sin(angle)};
+    double sine, cosine;
+    math_sincos(angle, &sine, &cosine);
+    return (tdsp_point){leg->center.x + radius * cosine, leg->center.y + radius * sine};
 }
 
 double motion_nearest(const motion *m, tdsp_point center, double growth)
@@ -110,6 +111,6 @@ motion_circle motion_bound(const motion *m)
     const motion_circle half = {motion_position(m, 0.5 * m->duration), 0.5 * m->length};
     if (m->leg.kind == TDSP_LEG_LINE) return half;
     if (m->leg.kind == TDSP_LEG_CURVE) return half;
-    const motion_circle whole = {m->leg.center, fmax(m->leg.radius_from, m->leg.radius_to)};
+    const motion_circle whole = {m->leg.center, math_max(m->leg.radius_from, m->leg.radius_to)};
     return whole.radius < half.radius ? whole : half;
 }

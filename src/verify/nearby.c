@@ -2,8 +2,7 @@
 /* See nearby.h for the invariant. */
 #include "verify/nearby.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "scene/allocator.h"
 #include "tdsp/growth.h"
 #include "verify/swell.h"
@@ -49,12 +48,12 @@ static nearby_node node_over(const nearby_disc *discs, size_t low, size_t high, 
     nearby_node node = {discs[low].center, discs[low].center, 0.0};
     *radius = 0.0;
     for (size_t i = low; i < high; i++) {
-        node.low.x = fmin(node.low.x, discs[i].center.x);
-        node.low.y = fmin(node.low.y, discs[i].center.y);
-        node.high.x = fmax(node.high.x, discs[i].center.x);
-        node.high.y = fmax(node.high.y, discs[i].center.y);
-        *radius = fmax(*radius, discs[i].radius);
-        node.growth = fmax(node.growth, discs[i].growth);
+        node.low.x = math_min(node.low.x, discs[i].center.x);
+        node.low.y = math_min(node.low.y, discs[i].center.y);
+        node.high.x = math_max(node.high.x, discs[i].center.x);
+        node.high.y = math_max(node.high.y, discs[i].center.y);
+        *radius = math_max(*radius, discs[i].radius);
+        node.growth = math_max(node.growth, discs[i].growth);
     }
     return node;
 }
@@ -78,12 +77,12 @@ static double radii_of(nearby_index *index, double *radii, double time, size_t n
     if (2 * node + 2 >= index->node_count) {
         for (size_t i = low; i < high; i++) {
             const swell_piece piece = swell_at(index->scene, index->discs[i].index, time);
-            largest = fmax(largest, swell_radius(&piece, time));
+            largest = math_max(largest, swell_radius(&piece, time));
         }
     } else {
         const size_t middle = low + (high - low) / 2;
         largest = radii_of(index, radii, time, 2 * node + 1, low, middle);
-        largest = fmax(largest, radii_of(index, radii, time, 2 * node + 2, middle, high));
+        largest = math_max(largest, radii_of(index, radii, time, 2 * node + 2, middle, high));
     }
     radii[node] = largest;
     return largest;
@@ -158,9 +157,9 @@ void nearby_free(nearby_index *index)
 /* Where rates change no node has a growth, and its radius is that of a later time. */
 static int node_near(const nearby_node *node, double radius, const motion_circle *circle, double time, double limit)
 {
-    const double dx = fmax(0.0, fmax(node->low.x - circle->center.x, circle->center.x - node->high.x));
-    const double dy = fmax(0.0, fmax(node->low.y - circle->center.y, circle->center.y - node->high.y));
-    return hypot(dx, dy) - circle->radius - radius - node->growth * time < limit;
+    const double dx = math_max(0.0, math_max(node->low.x - circle->center.x, circle->center.x - node->high.x));
+    const double dy = math_max(0.0, math_max(node->low.y - circle->center.y, circle->center.y - node->high.y));
+    return math_hypot(dx, dy) - circle->radius - radius - node->growth * time < limit;
 }
 
 /* What is looked for. */

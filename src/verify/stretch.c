@@ -2,8 +2,7 @@
 /* See stretch.h for the bounds. */
 #include "verify/stretch.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "verify/curve.h"
 
 #define CHEAP_EVALUATIONS 2000
@@ -50,7 +49,7 @@ static double part_bent_bound(const stretch *s, const part *q, const bernstein *
     if (!(near > 0.0)) return -INFINITY;
     const bernstein bend = bernstein_slope(slope);
     const double bent = (speed * speed / near + motion_bend(s->m, q->a, q->b)) * span * span - bernstein_least(&bend);
-    return fmin(q->fa, q->fb) - fmax(0.0, bent) / 8.0;
+    return math_min(q->fa, q->fb) - math_max(0.0, bent) / 8.0;
 }
 
 /* The larger of the two lower bounds on f over a part. */
@@ -61,7 +60,7 @@ static double part_bound(const stretch *s, const part *q)
     const double fall = way + bernstein_most(&slope), rise = way - bernstein_least(&slope);
     if (rise <= 0.0) return q->fb;
     const double first = (q->fa * rise + q->fb * fall - fall * rise) / (fall + rise);
-    return fmin(fmin(q->fa, q->fb), fmax(first, part_bent_bound(s, q, &slope)));
+    return math_min(math_min(q->fa, q->fb), math_max(first, part_bent_bound(s, q, &slope)));
 }
 
 /* May the part hold anything lower, by more than the resolution, than was found? If not, what its bound says is kept. */
@@ -72,7 +71,7 @@ static int part_is_open(const stretch *s, double a, double b, double bound, int 
     const double middle = a + 0.5 * (b - a);
     const int divisible = middle > a && middle < b && depth < MOST_HALVINGS && evaluations < MOST_EVALUATIONS;
     if (bound < least->found - resolution && divisible) return 1;
-    least->bound = fmin(least->bound, bound);
+    least->bound = math_min(least->bound, bound);
     return 0;
 }
 

@@ -10,8 +10,7 @@
  */
 #include "tdsp/verify.h"
 
-#include <math.h>
-
+#include "base/math.h"
 #include "scene/scene.h" /* the allocator, nothing else */
 #include "tdsp/growth.h"
 #include "tdsp/solver.h" /* its stated error, nothing else */
@@ -44,27 +43,27 @@ static void check_note(path_check *check, uint32_t problem, size_t leg)
 
 static double point_magnitude(tdsp_point p)
 {
-    return fmax(fabs(p.x), fabs(p.y));
+    return math_max(fabs(p.x), fabs(p.y));
 }
 
 static double leg_magnitude(const tdsp_leg *leg, double speed)
 {
-    double size = fmax(point_magnitude(leg->from), point_magnitude(leg->to));
-    size = fmax(size, speed * fmax(fabs(leg->start_time), fabs(leg->end_time)));
+    double size = math_max(point_magnitude(leg->from), point_magnitude(leg->to));
+    size = math_max(size, speed * math_max(fabs(leg->start_time), fabs(leg->end_time)));
     if (leg->kind == TDSP_LEG_LINE) return size;
-    return fmax(fmax(size, point_magnitude(leg->center)), fmax(leg->radius_from, leg->radius_to));
+    return math_max(math_max(size, point_magnitude(leg->center)), math_max(leg->radius_from, leg->radius_to));
 }
 
 static void check_scales(path_check *check, const tdsp_leg *legs, size_t count)
 {
     const tdsp_journey *journey = check->journey;
     double length = 0.0;
-    check->magnitude = fmax(point_magnitude(journey->source), point_magnitude(journey->destination));
+    check->magnitude = math_max(point_magnitude(journey->source), point_magnitude(journey->destination));
     for (size_t i = 0; i < count; i++) {
-        check->magnitude = fmax(check->magnitude, leg_magnitude(&legs[i], journey->speed));
+        check->magnitude = math_max(check->magnitude, leg_magnitude(&legs[i], journey->speed));
         length += motion_of(&legs[i]).length;
     }
-    length = fmax(length, motion_distance(journey->source, journey->destination));
+    length = math_max(length, motion_distance(journey->source, journey->destination));
     check->tolerance = TDSP_VERIFY_TOLERANCE * length + TDSP_VERIFY_ROUNDING * check->magnitude;
 }
 
@@ -107,12 +106,12 @@ static void check_joins(path_check *check, const tdsp_leg *legs, size_t count, d
 static void check_clearance(path_check *check, const clearance *least)
 {
     tdsp_verdict *verdict = &check->verdict;
-    verdict->min_clearance = fmin(least->found, least->bound);
+    verdict->min_clearance = math_min(least->found, least->bound);
     verdict->time = least->time;
     verdict->disc = least->disc;
     if (verdict->problems == 0) verdict->leg = least->leg;
     if (least->disc != TDSP_NO_DISC) {
-        const double magnitude = fmax(least->radius, point_magnitude(check->discs[least->disc].center));
+        const double magnitude = math_max(least->radius, point_magnitude(check->discs[least->disc].center));
         if (magnitude > check->magnitude) check->tolerance += TDSP_VERIFY_ROUNDING * (magnitude - check->magnitude);
     }
     verdict->tolerance = check->tolerance;
@@ -167,7 +166,7 @@ static double path_end(const tdsp_leg *legs, size_t count, double arrival)
 {
     double end = arrival;
     for (size_t i = 0; i < count; i++)
-        if (isfinite(legs[i].end_time)) end = fmax(end, legs[i].end_time);
+        if (isfinite(legs[i].end_time)) end = math_max(end, legs[i].end_time);
     return end;
 }
 
@@ -192,7 +191,7 @@ tdsp_status tdsp_verify_path_for(const tdsp_scene *scene, const tdsp_ends *ends,
     nearby_index index;
     const double end = path_end(legs, count, arrival);
     if (!check_is_described(scene, end)) return TDSP_SHRINKS;
-    const tdsp_status status = nearby_build(scene, fmax(departure, end), &scene->allocator, &index);
+    const tdsp_status status = nearby_build(scene, math_max(departure, end), &scene->allocator, &index);
     if (status != TDSP_OK) return status;
     *out = check_path(scene, &journey, &index, legs, count, departure, arrival);
     nearby_free(&index);

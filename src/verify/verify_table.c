@@ -12,8 +12,8 @@
 #include "tdsp/verify.h"
 
 #include <float.h>
-#include <math.h>
 
+#include "base/math.h"
 #include "scene/allocator.h"
 #include "scene/scene.h" /* the allocator, nothing else */
 #include "verify/check.h"
@@ -48,7 +48,7 @@ static int rows_ordered(const table_check *check, const tdsp_row *before, const 
     const double slack = rounding_of(row->departure, row->left);
     if (check->info.monotone == TDSP_MONOTONE_ARRIVAL) {
         const double lower = before->departure + before->right;
-        return row->departure + row->left >= fmax(lower, before->departure + before->left) - slack &&
+        return row->departure + row->left >= math_max(lower, before->departure + before->left) - slack &&
                row->departure + row->right >= lower - slack;
     }
     return row->left >= before->left && row->right >= before->right && before->right <= row->left;
@@ -132,7 +132,7 @@ static double last_arrival(const table_check *check)
     double last = 0.0;
     for (uint64_t i = 0; i < check->info.rows; i++) {
         (void)tdsp_table_row(check->table, i, &row);
-        last = fmax(last, row.departure + row.left);
+        last = math_max(last, row.departure + row.left);
     }
     return nextafter(last, INFINITY);
 }

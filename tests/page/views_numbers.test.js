@@ -60,3 +60,9 @@ test("many metres are kilometres", () => {
     assert.deepEqual(lengthAxis("x", "m", 4999), { name: "x", unit: "m", divisor: 1 });
     assert.deepEqual(lengthAxis("x", "", 1e9), { name: "x", unit: "", divisor: 1 });
 });
+
+test("ticks of a range finer than the numbers in it end", () => {
+    const axis = { name: "x", unit: "m", divisor: 1 };
+    assert.ok(ticksOf(1e17, 1e17 + 64, 500, axis).length <= 1000);
+    assert.ok(ticksOf(-Infinity, Infinity, 500, axis).length === 0);
+});

@@ -27,6 +27,7 @@ import { digitsFor, number } from "tdsp/numbers.js";
 
 const SPACING = 95;
 const LENGTH = 5;
+const MOST_TICKS = 1000;
 const KILOMETRES_FROM = 5000;
 
 /**
@@ -52,10 +53,11 @@ export function niceStep(range, pieces) {
 export function ticksOf(low, high, pixels, axis, spacing = SPACING) {
     if (!(high > low) || !(pixels > 0)) return [];
     const step = niceStep(high - low, Math.max(2, pixels / spacing));
-    const ticks = [];
-    for (let i = Math.ceil(low / step - 1e-9); i <= high / step + 1e-9; i++) {
-        const shown = (i * step) / axis.divisor;
-        ticks.push({ value: i * step, text: number(shown === 0 ? 0 : shown, digitsFor(shown, step / axis.divisor, 10)) });
+    // Counted: adding 1 to a multiple that is large enough changes nothing.
+    const ticks = [], first = Math.ceil(low / step - 1e-9), count = Math.min(MOST_TICKS, Math.floor(high / step + 1e-9) - first + 1);
+    for (let i = 0; i < count; i++) {
+        const value = (first + i) * step, shown = value / axis.divisor;
+        ticks.push({ value, text: number(shown === 0 ? 0 : shown, digitsFor(shown, step / axis.divisor, 10)) });
     }
     return ticks;
 }

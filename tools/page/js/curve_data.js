@@ -69,15 +69,15 @@ function addLast(add, curve, last) {
  * @returns {Curve}
  */
 export function stairsOf({ departures, left }) {
-  const count = 2 * Math.max(departures.length, 1) - 1;
-  const curve = { departure: new Float64Array(count), travel: new Float64Array(count), starts: new Uint8Array(count), count: departures.length > 0 ? count : 0 };
-  for (let i = 0; i < curve.count; i++) {
-    const row = (i + 1) >> 1;
-    curve.departure[i] = departures[i >> 1];
-    curve.travel[i] = left[row];
-    curve.starts[i] = i === 0 || i % 2 === 1 ? 1 : 0;
-  }
-  return curve;
+    const count = 2 * Math.max(departures.length, 1) - 1;
+    const curve = { departure: new Float64Array(count), travel: new Float64Array(count), starts: new Uint8Array(count), count: departures.length > 0 ? count : 0 };
+    for (let i = 0; i < curve.count; i++) {
+        const row = (i + 1) >> 1;
+        curve.departure[i] = departures[i >> 1];
+        curve.travel[i] = left[row];
+        curve.starts[i] = i === 0 || i % 2 === 1 ? 1 : 0;
+    }
+    return curve;
 }
 
 /** The first point at a departure, or else the last one before it: between the two points of a jump there is no departure. @param {Curve} curve */

@@ -9,9 +9,8 @@ import { curveOf, curveWindow, lastShown, latestDeparture, stairsOf, travelAt } 
 import { CurveGestures } from "tdsp/curve_gestures.js";
 import { arrangeCurve, deadlineLine, layoutCurve } from "tdsp/curve_layout.js";
 import { drawCurveGround, drawCurveLive } from "tdsp/curve_picture.js";
+import { blankCurve, curveSvg } from "tdsp/curve_svg.js";
 import { Layers } from "tdsp/draw_layers.js";
-import { SvgPen } from "tdsp/draw_svg.js";
-import { guessedWidth } from "tdsp/draw_text.js";
 import { light } from "tdsp/palette.js";
 
 /** @typedef {import("tdsp/curve_picture.js").CurveState} CurveState */
@@ -58,7 +57,7 @@ export class CurveView {
         /** How long the last frame took to draw, in ms. */
         this.lastFrameMs = 0;
         this.given = { samples: null, evaluate: null, leaveBy: null };
-        this.state = blankState(options.palette ?? light);
+        this.state = blankCurve(options.palette ?? light);
         this.dirty = { ground: true, live: true };
         this.layers = new Layers(canvas, () => this.draw());
         this.measure = this.layers.pen.width.bind(this.layers.pen);
@@ -196,32 +195,4 @@ function rowsOf(table) {
 function distance({ from, to }, x, y) {
     const dx = to.x - from.x, dy = to.y - from.y, length = Math.hypot(dx, dy) || 1;
     return Math.abs(dx * (y - from.y) - dy * (x - from.x)) / length;
-}
-
-/** @param {Palette} palette @returns {CurveState} */
-function blankState(palette) {
-    const curve = curveOf(null, [], null);
-    return {
-        curve, stored: false, rows: null, jumps: [], last: null, travel: () => NaN, departure: null, hover: null, deadline: null, leaveBy: null, mode: "travel", units: { time: "" },
-        window: curveWindow(curve, null, "travel", null), palette, message: "", legend: true, head: 0, grabbed: false, focused: false,
-    };
-}
-
-/**
- * A curve as an SVG file, without a browser where `measure` is left out.
- * @param {CurveState} state
- * @param {{width: number, height: number, title?: string, description?: string, palette?: Palette}} page
- * @param {import("tdsp/draw_canvas.js").Pen["width"]} [measure]
- */
-export function curveSvg(state, page, measure = guessedWidth) {
-    const pen = new SvgPen(measure), title = page.title ?? (state.mode === "arrival" ? "Earliest arrival" : "Travel time");
-    /** @type {CurveState} */
-    const still = { ...state, palette: page.palette ?? state.palette, hover: null, grabbed: false, focused: false, head: 58 };
-    const arrangement = arrangeCurve(still, page.width, page.height, measure), layout = layoutCurve(still, arrangement, measure);
-    pen.part("title");
-    pen.text(arrangement.frame.left, 30, title, { size: 18, bold: true, colour: still.palette.ink });
-    pen.text(arrangement.frame.left, 50, page.description ?? "", { size: 13, colour: still.palette.grey });
-    drawCurveGround(pen, still, arrangement, layout);
-    drawCurveLive(pen, still, arrangement, layout);
-    return pen.document({ width: page.width, height: page.height, title, description: page.description ?? title, paper: still.palette.paper });
 }

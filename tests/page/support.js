@@ -10,7 +10,8 @@ export const root = new URL("../../", import.meta.url).pathname;
 const build = process.env.TDSP_BUILD ?? join(root, "build");
 const command = process.env.TDSP ?? join(build, "tdsp");
 
-export const wasm = readFileSync(join(build, "page", "tdsp.wasm"));
+export const wasmFile = join(build, "page", "tdsp.wasm");
+export const wasm = readFileSync(wasmFile);
 export const newCore = () => loadCore(wasm);
 
 /** @param {string} name */

@@ -3,9 +3,10 @@
 # module needs nothing of the system it runs on.
 PAGE := $(BUILD)/page
 WASM_CC := clang-14 --target=wasm32-wasi --sysroot=/usr
-# What every browser with import maps has (docs/page.md). Two ends of the stack are told apart: an overflow traps, as the stack lies first.
-WASM_CFLAGS := -std=c99 -O2 $(WARNINGS) -ffp-contract=off -fno-math-errno -mbulk-memory -msign-ext -mnontrapping-fptoint -Iinclude
-WASM_LINK := -mexec-model=reactor -Wl,-z,stack-size=1048576 -Wl,--stack-first -Wl,--strip-all -Wl,--gc-sections
+# What every browser with import maps has (docs/page.md). The stack lies first, so that an overflow traps. Optimizing over all files at once saves a seventh of the
+# time of a search, and changes no result.
+WASM_CFLAGS := -std=c99 -O2 -flto $(WARNINGS) -ffp-contract=off -fno-math-errno -mbulk-memory -msign-ext -mnontrapping-fptoint -Iinclude
+WASM_LINK := -O2 -flto -mexec-model=reactor -Wl,-z,stack-size=1048576 -Wl,--stack-first -Wl,--strip-all -Wl,--gc-sections
 WASM_OBJECTS := $(patsubst %.c,$(PAGE)/obj/%.o,$(LIB_SOURCES) $(sort $(wildcard tools/page/core/*.c)))
 PAGE_PARTS := $(wildcard tools/page/index.html tools/page/*.css tools/page/js/*.js tools/page/gallery/*.json examples/scenes/*.json)
 

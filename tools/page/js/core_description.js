@@ -4,6 +4,7 @@
  * is as in tools/tdsp/scene_description.c and growth_json.c; the library's own checks stay the last word.
  */
 import { CoreError, sceneError } from "./core_error.js";
+import { SCRATCH_NUMBERS } from "./core_wasm.js";
 
 /** @typedef {import("./core_wasm.js").Wasm} Wasm */
 /** @typedef {number | number[] | {times: number[], rates: number[]}} Growth a rate; coefficients of t, t^2, ...; rates from times on */
@@ -263,10 +264,13 @@ function readGrowth(reader, value, where) {
  * @param {string} where
  */
 function checkNumbers(wasm, check, numbers, where) {
-    const at = numbers.length <= 32 ? wasm.scratch : wasm.allocate(8 * numbers.length);
-    wasm.numbers(at, numbers.length).set(numbers);
-    const sentence = wasm.call(check, at);
-    if (at !== wasm.scratch) wasm.release(at);
+    let sentence;
+    if (numbers.length <= SCRATCH_NUMBERS) {
+        wasm.numbers(wasm.scratch, numbers.length).set(numbers);
+        sentence = wasm.call(check, wasm.scratch);
+    } else {
+        sentence = wasm.lend([numbers], (at) => wasm.call(check, at));
+    }
     if (sentence) throw sceneError(where, wasm.string(sentence));
 }
 

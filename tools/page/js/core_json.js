@@ -91,7 +91,7 @@ class Scan {
     /** @param {Map<string, unknown>} members */
     #member(members) {
         const start = this.#at;
-        if (this.#next !== '"') throw new Wrong(start, this.#ended ? "the text ends too early" : "expected a key in double quotes");
+        if (this.#text[start] !== '"') throw new Wrong(start, this.#ended ? "the text ends too early" : "expected a key in double quotes");
         const key = this.#string();
         if (members.has(key)) throw new Wrong(start, `duplicate key: ${key}`);
         this.#space();

@@ -65,6 +65,7 @@ export const GUARANTEES = /** @type {const} */ (["travel", "arrival", "absolute"
 export const SAMPLINGS = /** @type {const} */ (["adaptive", "geometric"]);
 const CHANGES = /** @type {const} */ (["end", "jump", "touch", "switch"]);
 const MOST_ROWS = 2 ** 24;
+const REPORT_NUMBERS = 9;
 const UNIT_BYTES = 15; // what a table holds of a unit's name
 const FRAME = 16; // how much larger or smaller a journey may be than the one prepared for
 const JOURNEY_ENDS = 2; // where the ends stand among the numbers of a scene
@@ -100,10 +101,7 @@ const discOrNull = (disc) => (disc === NO_DISC ? null : disc);
  * @returns {number} where the scene is
  */
 function createScene(wasm, numbers, count) {
-    const at = wasm.give(numbers);
-    const code = wasm.call("scene_create", at, count, wasm.scratch);
-    wasm.release(at);
-    wasm.answer(code);
+    wasm.answer(wasm.lend([numbers], (at) => wasm.call("scene_create", at, count, wasm.scratch)));
     return wasm.word();
 }
 
@@ -328,12 +326,10 @@ export class Scene {
      */
     samples(times) {
         times.forEach((time) => readTime(time, "departure"));
-        const at = this.#wasm.give(times);
-        const code = this.#wasm.call("scene_samples", this.#handle, at, times.length);
-        const arrivals = this.#wasm.numbers(at, times.length).slice();
-        this.#wasm.release(at);
-        this.#answer(code);
-        return arrivals;
+        return this.#wasm.lend([times], (at) => {
+            this.#answer(this.#wasm.call("scene_samples", this.#handle, at, times.length));
+            return this.#wasm.numbers(at, times.length).slice();
+        });
     }
 
     /**
@@ -364,14 +360,10 @@ export class Scene {
      */
     #build(scene, asked, options) {
         const wasm = this.#wasm;
-        const [at, length, time, report] = [wasm.give(asked), wasm.giveText(this.#units.length), wasm.giveText(this.#units.time), wasm.allocate(8 * 9)];
-        let code, numbers;
-        try {
-            code = wasm.callTelling(options.progress, "scene_build", scene, at, length, time, wasm.scratch, wasm.scratch + 4, report);
-            numbers = wasm.numbers(report, 9).slice();
-        } finally {
-            for (const block of [at, length, time, report]) wasm.release(block);
-        }
+        const { code, numbers } = wasm.lend([asked, this.#units.length, this.#units.time, new Float64Array(REPORT_NUMBERS)], (at, length, time, report) => {
+            const code = wasm.callTelling(options.progress, "scene_build", scene, at, length, time, wasm.scratch, wasm.scratch + 4, report);
+            return { code, numbers: wasm.numbers(report, REPORT_NUMBERS).slice() };
+        });
         if (wasm.names[code] !== "ok") throw this.#buildError(code, asked, options);
         const bytes = wasm.bytes(wasm.word(0), wasm.word(1)).slice();
         wasm.release(wasm.word(0));
@@ -417,10 +409,7 @@ export class Scene {
     verify(legs) {
         const numbers = legs.flatMap(writeLeg);
         const [departure, arrival] = legs.length > 0 ? [legs[0].start_time, legs[legs.length - 1].end_time] : [0, 0];
-        const at = this.#wasm.give(numbers);
-        const code = this.#wasm.call("scene_verify", this.#handle, at, legs.length, departure, arrival, this.#wasm.scratch);
-        this.#wasm.release(at);
-        this.#answer(code);
+        this.#answer(this.#wasm.lend([numbers], (at) => this.#wasm.call("scene_verify", this.#handle, at, legs.length, departure, arrival, this.#wasm.scratch)));
         const [problems, clearance, time, disc, leg, tolerance] = this.#wasm.numbers(this.#wasm.scratch, 6);
         const near = disc !== NO_DISC;
         return {

@@ -31,14 +31,24 @@ export class Table {
     constructor(wasm, bytes) {
         this.#wasm = wasm;
         this.bytes = bytes.slice();
-        const at = wasm.allocate(bytes.length);
+        this.#open(bytes);
+        this.hash = BigInt.asUintN(64, wasm.call("table_hash", this.#at));
+        try {
+            this.info = this.#readInfo();
+        } catch (error) {
+            this.free(); // no memory
+            throw error;
+        }
+    }
+
+    /** @param {Uint8Array} bytes */
+    #open(bytes) {
+        const wasm = this.#wasm, at = wasm.allocate(bytes.length);
         wasm.bytes(at, bytes.length).set(bytes);
         const code = wasm.call("table_open", at, bytes.length, wasm.scratch);
-        if (wasm.names[code] !== "ok") wasm.release(at);
+        if (wasm.names[code] !== "ok") wasm.release(at); // else the table owns it
         wasm.answer(code);
         this.#at = wasm.word();
-        this.hash = BigInt.asUintN(64, wasm.call("table_hash", this.#at));
-        this.info = this.#readInfo();
     }
 
     /** Free what the module holds; the table is of no use afterwards. */
@@ -87,10 +97,10 @@ export class Table {
      * @returns {Rows}
      */
     #rows(count) {
-        const at = this.#wasm.allocate(8 * 3 * count);
-        this.#wasm.call("table_rows", this.#handle, at, count);
-        const all = this.#wasm.numbers(at, 3 * count).slice();
-        this.#wasm.release(at);
+        const all = this.#wasm.lend([new Float64Array(3 * count)], (at) => {
+            this.#wasm.call("table_rows", this.#handle, at, count);
+            return this.#wasm.numbers(at, 3 * count).slice();
+        });
         return { departures: all.subarray(0, count), left: all.subarray(count, 2 * count), right: all.subarray(2 * count) };
     }
 

@@ -7,7 +7,7 @@ import { CoreError } from "./core_error.js";
 
 /** @typedef {(settled: number, all: number) => (boolean | void)} Progress told how far it is; true cancels */
 
-const SCRATCH_NUMBERS = 64; // for arguments and results of one call
+export const SCRATCH_NUMBERS = 64; // for arguments and results of one call
 const STATUSES = 128; // codes are below this
 const ANSWERS = 16; // and those that are answers, below this
 
@@ -116,7 +116,7 @@ export class Wasm {
 
     /** @param {number} size in bytes */
     allocate(size) {
-        const at = this.call("allocate", size);
+        const at = this.call("allocate", size) >>> 0; // addresses over 2 GiB come back negative
         if (!at) throw new CoreError(this.reason("no_memory"), "no_memory");
         return at;
     }
@@ -163,25 +163,35 @@ export class Wasm {
     }
 
     /**
-     * Copy numbers to a new block.
-     * @param {ArrayLike<number>} numbers
+     * Run with blocks that hold these, numbers or text ended by a zero; they are released whatever happens.
+     * @template T
+     * @param {(ArrayLike<number> | string)[]} parts
+     * @param {(...at: number[]) => T} run
+     * @returns {T}
      */
-    give(numbers) {
+    lend(parts, run) {
+        /** @type {number[]} */
+        const blocks = [];
+        try {
+            for (const part of parts) blocks.push(typeof part === "string" ? this.#giveText(part) : this.#giveNumbers(part));
+            return run(...blocks);
+        } finally {
+            if (!this.#broken) for (const block of blocks) this.release(block);
+        }
+    }
+
+    /** @param {ArrayLike<number>} numbers */
+    #giveNumbers(numbers) {
         const at = this.allocate(8 * numbers.length);
         this.numbers(at, numbers.length).set(numbers);
         return at;
     }
 
-    /**
-     * Copy text, ended by a zero, to a new block.
-     * @param {string} text
-     */
-    giveText(text) {
-        const encoded = new TextEncoder().encode(text);
-        const at = this.allocate(encoded.length + 1);
-        const view = this.bytes(at, encoded.length + 1);
-        view.set(encoded);
-        view[encoded.length] = 0;
+    /** @param {string} text */
+    #giveText(text) {
+        const encoded = new TextEncoder().encode(`${text}\0`);
+        const at = this.allocate(encoded.length);
+        this.bytes(at, encoded.length).set(encoded);
         return at;
     }
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "base/bytes.h"
+#include "support/brink.h"
 #include "support/chance.h"
 #include "support/sample.h"
 #include "support/walk.h"
@@ -149,6 +150,11 @@ static void compare_with_and_without(uint64_t *chance, const sample *s)
     }
     for (size_t i = 0; i < sizeof far / sizeof far[0]; i++)
         assert_same_answers(&s->table, &table, far[i]);
+    double first = table.by_arrival.first, last = table.by_arrival.last;
+    for (int k = 0; k < 50; k++) {
+        assert_same_answers(&s->table, &table, last + ldexp(last - first, -k));
+        assert_same_answers(&s->table, &table, first - ldexp(last - first, -k));
+    }
     free(old);
 }
 
@@ -252,6 +258,50 @@ static void batches_of_any_size_answer_as_single_questions_do(void **state)
         assert_int_equal(tdsp_table_rows(&s.table, NULL, 1, NULL, NULL), TDSP_INVALID_ARGUMENT);
         sample_free(&s);
     }
+}
+
+static void batches_of_a_table_without_guides_answer_as_single_questions_do(void **state)
+{
+    (void)state;
+    uint64_t chance = 26;
+    size_t length;
+    static double times[3000];
+    sample s = crowded(&chance, anyhow, 5000);
+    unsigned char *old = without_guides(s.bytes, &length);
+    tdsp_table table;
+    for (size_t i = 0; i < 3000; i++) times[i] = i % 2 ? sample_departure(&chance, &s) : sample_arrival(&chance, &s);
+    assert_int_equal(tdsp_table_open(&table, old, length), TDSP_OK);
+    assert_batch(&table, times, 3000);
+    free(old);
+    sample_free(&s);
+}
+
+/* However little behind the guide's last cell or before its first. */
+static void batches_of_times_that_no_cell_has_answer_as_single_questions_do(void **state)
+{
+    (void)state;
+    uint64_t chance = 27;
+    static double times[3000];
+    for (size_t which = 0; which < CROWDINGS - 1; which++) {
+        sample s = crowded(&chance, crowdings[which], 5000);
+        double first = s.table.by_arrival.first, last = s.table.by_arrival.last;
+        for (size_t i = 0; i < 3000; i++) times[i] = i % 2 ? last + (last - first) * exp2(-0.02 * (double)i) : first - (last - first) * exp2(-0.02 * (double)i);
+        assert_batch(&s.table, times, 3000);
+        sample_free(&s);
+    }
+}
+
+static void a_batch_reads_no_time_behind_its_last(void **state)
+{
+    (void)state;
+    uint64_t chance = 28;
+    sample s = crowded(&chance, anyhow, 5000);
+    double times[17];
+    for (size_t i = 0; i < 17; i++) times[i] = sample_departure(&chance, &s);
+    brink b = brink_of((const unsigned char *)times, sizeof times);
+    assert_batch(&s.table, (const double *)(const void *)b.bytes, 17);
+    brink_free(b);
+    sample_free(&s);
 }
 
 /* ---------------------------------------------------------------------------------------------------- wrong guides */
@@ -381,6 +431,9 @@ int main(void)
         cmocka_unit_test(a_large_table_has_the_same_answers_too),
         cmocka_unit_test(a_table_of_few_rows_has_no_guide_and_is_of_version_1_0),
         cmocka_unit_test(batches_of_any_size_answer_as_single_questions_do),
+        cmocka_unit_test(batches_of_a_table_without_guides_answer_as_single_questions_do),
+        cmocka_unit_test(batches_of_times_that_no_cell_has_answer_as_single_questions_do),
+        cmocka_unit_test(a_batch_reads_no_time_behind_its_last),
         cmocka_unit_test(any_change_of_a_guide_is_refused),
         cmocka_unit_test(a_guide_of_other_cells_or_scale_or_place_is_refused),
         cmocka_unit_test(a_guide_to_departures_from_minus_0_is_refused),

@@ -46,19 +46,20 @@ static void assert_refused(edge e)
 
 /* ------------------------------------------------------------------------------------------------------ later versions */
 
-/* The table as a later version would have it, with eight bytes of ones, which are no number, behind each section. */
-static edge edge_spaced(size_t which)
+/* The table as a later version would have it, with eight bytes more behind each section: a number for each. */
+static edge edge_spaced(size_t which, const uint64_t behind[FORMAT_SECTIONS_2])
 {
     edge e = edge_of(which), spaced;
-    size_t sections = format_sections(bytes_get_u16(e.bytes + FORMAT_AT_MINOR)), at = bytes_get_u32(e.bytes + FORMAT_AT_HEADER_LENGTH);
-    spaced.length = e.length + 8 * sections;
+    size_t at = bytes_get_u32(e.bytes + FORMAT_AT_HEADER_LENGTH);
+    spaced.length = e.length + 8 * FORMAT_SECTIONS_2;
     spaced.bytes = malloc(spaced.length);
     assert_non_null(spaced.bytes);
-    memset(spaced.bytes, 0xff, spaced.length);
+    assert_int_equal(bytes_get_u16(e.bytes + FORMAT_AT_MINOR), FORMAT_MINOR);
     memcpy(spaced.bytes, e.bytes, at);
-    for (size_t i = 0; i < sections; i++) {
-        size_t next = i + 1 < sections ? (size_t)bytes_get_u64(e.bytes + format_at_offset(i + 1)) : e.length;
+    for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
+        size_t next = i + 1 < FORMAT_SECTIONS_2 ? (size_t)bytes_get_u64(e.bytes + format_at_offset(i + 1)) : e.length;
         memcpy(spaced.bytes + at + 8 * i, e.bytes + at, next - at);
+        bytes_put_u64(spaced.bytes + next + 8 * i, behind[i]);
         bytes_put_u64(spaced.bytes + format_at_offset(i), at + 8 * i);
         at = next;
     }
@@ -68,24 +69,54 @@ static edge edge_spaced(size_t which)
     return spaced;
 }
 
+static void assert_same_jumps(const tdsp_table *a, const tdsp_table *b)
+{
+    const double times[] = {0, 0.5, 1.5, 2.5, 1e9};
+    for (size_t i = 0; i < sizeof times / sizeof times[0]; i++) {
+        tdsp_jump one, other;
+        memset(&one, 0, sizeof one);
+        memset(&other, 0, sizeof other);
+        assert_int_equal(tdsp_table_next_jump(a, times[i], &one), tdsp_table_next_jump(b, times[i], &other));
+        assert_memory_equal(&one, &other, sizeof one);
+        assert_int_equal(tdsp_table_previous_jump(a, times[i], &one), tdsp_table_previous_jump(b, times[i], &other));
+        assert_memory_equal(&one, &other, sizeof one);
+    }
+}
+
+static void assert_same_tables(const tdsp_table *a, const tdsp_table *b)
+{
+    assert_int_equal(a->rows, b->rows);
+    for (uint64_t i = 0; i < a->rows; i++) {
+        tdsp_row row, same;
+        assert_int_equal(tdsp_table_row(a, i, &row), TDSP_OK);
+        assert_int_equal(tdsp_table_row(b, i, &same), TDSP_OK);
+        assert_memory_equal(&row, &same, sizeof row);
+    }
+    assert_same_jumps(a, b);
+    assert_null(walk_table(b));
+}
+
+/* Numbers that would be a row, a jump, or a gap of each row, were they read as such. */
 static void a_later_version_may_put_anything_behind_any_section(void **state)
 {
     (void)state;
+    uint64_t behind[FORMAT_SECTIONS_2];
     for (size_t which = SWELL; which <= SQUEEZE; which++) {
-        edge e = edge_of(which), spaced = edge_spaced(which);
-        tdsp_table table, told;
-        tdsp_row row, same;
-        assert_int_equal(edge_open(spaced), TDSP_OK);
-        assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
-        assert_int_equal(tdsp_table_open(&told, spaced.bytes, spaced.length), TDSP_OK);
-        for (uint64_t i = 0; i < table.rows; i++) {
-            assert_int_equal(tdsp_table_row(&table, i, &row), TDSP_OK);
-            assert_int_equal(tdsp_table_row(&told, i, &same), TDSP_OK);
-            assert_memory_equal(&row, &same, sizeof row);
+        for (uint64_t k = 0; k < 8; k++) {
+            for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
+                double number = 1e6 * (double)(i + 1);
+                behind[i] = k;
+                if (k == 7) memcpy(&behind[i], &number, 8);
+            }
+            edge e = edge_of(which), spaced = edge_spaced(which, behind);
+            tdsp_table table, told;
+            assert_int_equal(edge_open(spaced), TDSP_OK);
+            assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
+            assert_int_equal(tdsp_table_open(&told, spaced.bytes, spaced.length), TDSP_OK);
+            assert_same_tables(&table, &told);
+            free(e.bytes);
+            free(spaced.bytes);
         }
-        assert_null(walk_table(&told));
-        free(e.bytes);
-        free(spaced.bytes);
     }
 }
 
@@ -333,6 +364,8 @@ static void a_table_without_guides_is_not_read_as_if_it_had_some(void **state)
     assert_int_equal(tdsp_table_arrival(&table, 1.0, &lower, &upper), TDSP_OK);
     bytes_put_u32(e.bytes, 1);
     assert_int_equal(tdsp_table_find(&table, 1.0, &row), TDSP_OK);
+    assert_int_equal(row, 1);
+    assert_int_equal(tdsp_table_rows(&table, (const double[]){1.0}, 1, &row, NULL), TDSP_OK);
     assert_int_equal(row, 1);
     assert_int_equal(tdsp_table_arrival(&table, 1.0, &low, &high), TDSP_OK);
     assert_exact(low, lower);

@@ -15,6 +15,7 @@ import { Store } from "tdsp/state.js";
 import { followTheme } from "tdsp/theme.js";
 import { buildCommand } from "tdsp/words.js";
 
+const ONLY_TABLE = "A table holds the ways, not the discs: open its scene (.json) to see them.";
 const unexpected = (error) => tell(byId("problem"), `Something went wrong in this page: ${error?.message ?? error}`);
 
 async function start() {
@@ -64,7 +65,7 @@ async function openLink(page, strip, show) {
     const action = await readLink(location.hash.slice(1), (name) => strip.find(name)?.scene);
     if (!action) return false;
     const entry = action.from ? strip.find(action.from) : null;
-    const words = entry ? [entry.title, entry.words.join(" "), entry.credit] : [action.scene?.name ?? action.name ?? "A shared scene"];
+    const words = entry ? [entry.title, entry.words.join(" "), entry.credit] : action.bytes ? [action.name, ONLY_TABLE] : [action.scene.name ?? action.name];
     openWith(page, action, (error) => `The link is damaged: ${error.message}.`, words);
     show.stop();
     return true;
@@ -91,7 +92,8 @@ function openWith(page, action, sentence, words) {
 }
 
 function openContent(page, content, fileName) {
-  return openWith(page, content, (error) => refusal(fileName, error, content.text), [content.scene?.name ?? content.name]);
+  const words = content.bytes ? [content.name, ONLY_TABLE] : [content.scene.name ?? content.name];
+  return openWith(page, content, (error) => refusal(fileName, error, content.text), words);
 }
 
 /** What `tdsp view` put inside. @returns {boolean} */

@@ -200,8 +200,6 @@ export class Page {
     const { scene, table } = this.answers;
     this.shown = { scene, table, description: scene?.description };
     this.scene.show({ scene: scene ?? withoutDiscs(table, this.store.state.name) });
-    byId("scene-note").hidden = scene !== null;
-    byId("scene-note").textContent = "A table holds the ways, not the discs: open its scene (.json) to see them.";
   }
 
   #showTransport() {

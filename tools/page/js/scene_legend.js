@@ -27,6 +27,12 @@ export function legendOf(state, every, short) {
     return items;
 }
 
+/** All that the legend of a scene can ever hold. @param {SceneState} state @param {number} every @param {boolean} short @returns {LegendItem[]} */
+export function fullLegend(state, every, short) {
+    const something = /** @type {any} */ ([{ ride: true }]);
+    return legendOf({ ...state, later: state.now, legs: something, jumps: something, ghost: something }, every, short);
+}
+
 /** @param {Pen} pen @param {import("tdsp/palette.js").Palette} palette @param {string} kind */
 export function drawSample(pen, palette, kind, x, y) {
     if (kind === "gap") {

@@ -7,7 +7,7 @@ import { axesRoom, drawAxes, drawGrid, frameTicks, lengthAxis } from "tdsp/axes.
 import { outlineDisc, outlineDiscs } from "tdsp/scene_discs.js";
 import { beginsRide, positionAt } from "tdsp/scene_legs.js";
 import { drawLegend, placeLegend } from "tdsp/draw_legend.js";
-import { drawSample, legendOf } from "tdsp/scene_legend.js";
+import { drawSample, fullLegend, legendOf } from "tdsp/scene_legend.js";
 import { drawEnd, drawEndRing, drawGap, drawHandles, drawRobot, drawScaleBar, outlineTick } from "tdsp/scene_marks.js";
 import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 
@@ -53,10 +53,14 @@ export function arrangeScene(state, width, height, measure) {
     const { projection } = state, titled = width >= WIDE, top = 10 + state.head, right = 12;
     const axes = { x: lengthAxis("x", state.units.length, projection.width / projection.scale), y: lengthAxis("y", state.units.length, projection.width / projection.scale) };
     const room = axesRoom(frameTicks(projection.frame(), axes.x, axes.y, measure), titled);
-    const legend = state.legend ? placeLegend(legendOf(state, state.layout?.every ?? 0, !titled), width - room.left - right, measure) : { items: [], height: 0 };
-    const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
-    projection.place(room.left, top, width - room.left - right, height - top - below - 4);
-    return { axes, titled, legend: legend.items, legendTop: height - legend.height - 4 };
+    const wide = width - room.left - right, every = state.layout?.every ?? 0;
+    const placed = (items) => (state.legend ? placeLegend(items, wide, measure) : { items: [], height: 0 });
+    const legend = placed(legendOf(state, every, !titled));
+    // Where things move, room is kept for the whole legend: what is dragged or pointed at adds to it, and must not push the scene about.
+    const kept = state.still ? legend.height : Math.max(legend.height, placed(fullLegend(state, every, !titled)).height);
+    const below = room.bottom + (kept > 0 ? kept + 6 : 0);
+    projection.place(room.left, top, wide, height - top - below - 4);
+    return { axes, titled, legend: legend.items, legendTop: height - kept - 4 };
 }
 
 /** @typedef {ReturnType<typeof arrangeScene>} Arrangement */

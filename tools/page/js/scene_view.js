@@ -280,6 +280,7 @@ export class SceneView {
 
     drag(target, x, y) {
         const { centers, now, description } = this.state, place = this.placeAt(x, y);
+        this.dirty.fit = false; // what is dragged stays under the pointer
         /** @type {Drag} */
         this.dragged = { what: target.what, index: target.index, place };
         if (target.what === "rim") {

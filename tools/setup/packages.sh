@@ -7,7 +7,7 @@
 #   packages.sh languages  what the library, its Python package and the wrappers in other languages need
 #   packages.sh packaging  what packing and installing releases and Debian packages needs, and other shells to complete words in
 #   packages.sh docs     what writing the documentation site needs
-#   packages.sh page     what building the page needs
+#   packages.sh page     what building the page needs; packaging needs it too, for the page is packed
 #   packages.sh page-check  that, the command, and what trying the page in a browser needs
 #   packages.sh trust    all that of check, and what the longer campaigns of docs/testing.md need
 # Whether something is missing is decided by trying it, not by asking the package manager: a machine that has the tools
@@ -119,7 +119,7 @@ fi
 if [ "$tier" = check ] || [ "$tier" = docs ] || [ "$tier" = trust ]; then
     need doxygen has_command doxygen
 fi
-if [ "$tier" = page ] || [ "$tier" = page-check ] || [ "$tier" = check ] || [ "$tier" = trust ]; then
+if [ "$tier" = page ] || [ "$tier" = packaging ] || [ "$tier" = page-check ] || [ "$tier" = check ] || [ "$tier" = trust ]; then
     need clang-14 has_wasm
     need lld-14 has_wasm
     need wasi-libc has_wasm

@@ -65,7 +65,7 @@ def a_table_becomes_an_svg_and_a_png():
     done("plot", table, "-o", "t.svg")
     done("plot", table, "-o", "t.png", "--depart", 5)
     expect_drawn("t.svg")
-    expect_equal(png_size("t.png"), (1680, 1040))
+    expect_equal(png_size("t.png"), (1680, 1080))
 
 
 @test

@@ -1,10 +1,10 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# Draw the pictures of README.md, from a real scene, and those of docs/math, from examples/scenes.
+# Draw the pictures of README.md, from a real scene, and those of docs/guide.md and docs/math, from examples/scenes.
 #   pictures.sh BUILD SCENE DIRECTORY           draw them, and write what they show to DIRECTORY/shown.txt
 #   pictures.sh --check BUILD SCENE DIRECTORY   is DIRECTORY/shown.txt what they would show now?
-# What a picture shows is, in numbers, the path or the rows that it draws, to five digits: pictures of the same numbers are the same, whatever fonts
-# a machine has.
+# What a picture shows is, in numbers, the paths, gaps or rows that it draws, to five digits: pictures of the same numbers are the same, whatever fonts
+# a machine has. That of the page is drawn where there are a browser and the page ('make page'); elsewhere the one that is there stays.
 set -euo pipefail
 
 check=
@@ -23,6 +23,23 @@ path() { # PICTURE SCENE DEPARTURE
     [ -n "$check" ] || "$build/tdsp" plot "$2" --depart "$3" -o "$out/$1" >/dev/null
 }
 
+moving() { # PICTURE SCENE DEPARTURE LATER
+    { echo "$1"; "$build/tdsp" path "$2" "$3"; "$build/tdsp" path "$2" "$4"; "$build/tdsp" jumps "$2"; } | rounded >>"$work/shown.txt"
+    [ -n "$check" ] || "$build/tdsp" plot "$2" --depart "$3" --beside "$4" --jumps --animate -o "$out/$1" >/dev/null
+}
+
+page() { # PICTURE SCENE
+    { echo "$1"; "$build/tdsp" arrive "$2" 0 | awk '{ print $1, $2, $3, $4 }'; "$build/tdsp" jumps "$2"; } | rounded >>"$work/shown.txt"
+    [ -z "$check" ] || return 0
+    if ! command -v chromium >/dev/null || [ ! -e "$build/page/index.html" ]; then
+        echo "pictures: $1 stays as it is: it takes chromium, and the page that 'make page' builds" >&2
+        return 0
+    fi
+    "$build/tdsp" view "$2" --no-open -o "$work/page.html" >/dev/null
+    # Its thumbnails and the table come after the rest.
+    tools/setup/screenshot.py "$work/page.html" "$out/$1" 1280 860 '!/computing/.test(document.body.innerText)'
+}
+
 travel_times() { # PICTURE SCENE
     local table=$work/table.tdsp # the picture names the scene
     "$build/tdsp" build "$2" -o "$table" >/dev/null
@@ -33,7 +50,9 @@ travel_times() { # PICTURE SCENE
 
 [ -n "$check" ] || mkdir -p "$out/math"
 examples=examples/scenes
-path path.png "$scene" 0
+moving fires.svg "$scene" 52 53
+page page.png "$scene"
+moving gate.svg $examples/two-discs.json 9.8 9.9
 travel_times travel-times.png "$scene"
 travel_times math/two-discs-travel-times.png $examples/two-discs.json
 travel_times math/slow-disc-travel-times.png $examples/gaps/slow-disc.json

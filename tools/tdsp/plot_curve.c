@@ -19,10 +19,10 @@
 #include "words.h"
 
 #define WIDTH 840.0
-#define HEIGHT 520.0
+#define HEIGHT 540.0
 #define MARGIN_LEFT 96.0
 #define MARGIN_RIGHT 36.0
-#define MARGIN_TOP 72.0
+#define MARGIN_TOP 88.0
 #define MARGIN_BOTTOM 100.0
 #define FINE 0.2 /* points of the canvas that need not be told apart */
 #define OBSTACLE_EVERY 4.0
@@ -118,7 +118,8 @@ static void draw_band(const Curve *curve, Canvas *canvas)
     canvas_stroke(canvas, &edge_pen);
 }
 
-static void draw_last_departure(const Curve *curve, Canvas *canvas)
+/* Its name stands where the curve does not come by. */
+static void draw_last_departure(const Curve *curve, Canvas *canvas, Labels *labels)
 {
     const Pen pen = {PLOT_ALARM, 1.2, FALSE, 5, 4};
     const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM, 0.5, 0, TRUE};
@@ -126,8 +127,13 @@ static void draw_last_departure(const Curve *curve, Canvas *canvas)
     canvas_move_to(canvas, x, curve->frame.top);
     canvas_line_to(canvas, x, curve->frame.top + curve->frame.height);
     canvas_stroke(canvas, &pen);
-    canvas_text_upwards(canvas, x - 7, curve->frame.top + curve->frame.height / 2, &style,
-                        curve->info.last_reason == TDSP_HORIZON ? "horizon" : "last departure");
+    const char *text = curve->info.last_reason == TDSP_HORIZON ? "horizon" : "last departure";
+    const Frame *frame = &curve->frame;
+    double half = canvas_text_width(canvas, &style, text) / 2, near_end = 0.97 * curve->info.last_departure, arrival = 0;
+    (void)tdsp_table_arrival(curve->table, near_end, NULL, &arrival);
+    double middle = frame_y(frame, arrival - near_end) < frame->top + frame->height / 2 ? frame->top + frame->height - half - 8 : frame->top + half + 8;
+    canvas_text_upwards(canvas, x - 7, middle, &style, text);
+    labels_add_box(labels, x - 7 - PLOT_TEXT, middle - half, x - 7, middle + half);
 }
 
 /* The curve and its jumps, as far as a label should not hide them. */
@@ -197,10 +203,12 @@ static void draw_titles(const Curve *curve, Canvas *canvas, const char *name)
     g_autofree char *guarantee = guarantee_of(&curve->info);
     g_autofree char *end = end_of(&curve->info);
     g_autofree char *heading = g_strdup_printf("Travel time: %s", name);
-    g_autofree char *text = g_strdup_printf("%" G_GUINT64_FORMAT " row%s, %s \xc2\xb7 %s", curve->info.rows,
-                                            curve->info.rows == 1 ? "" : "s", guarantee, end);
-    canvas_text_within(canvas, MARGIN_LEFT, 32, WIDTH - MARGIN_LEFT - 10, &title, heading);
-    canvas_text_within(canvas, MARGIN_LEFT, 54, WIDTH - MARGIN_LEFT - 10, &subtitle, text);
+    g_autofree char *text = g_strdup_printf("%" G_GUINT64_FORMAT " row%s, %s", curve->info.rows, curve->info.rows == 1 ? "" : "s", guarantee);
+    const double room = WIDTH - MARGIN_LEFT - 10;
+    canvas_describe(canvas, heading);
+    canvas_text_within(canvas, MARGIN_LEFT, 32, room, &title, heading);
+    canvas_text_within(canvas, MARGIN_LEFT, 54, room, &subtitle, text);
+    canvas_text_within(canvas, MARGIN_LEFT, 72, room, &subtitle, end);
 }
 
 static void draw_legend(Canvas *canvas, guint jumps)
@@ -233,11 +241,11 @@ gboolean plot_curve(const tdsp_table *table, const char *name, const double *dep
     if (!canvas) return FALSE;
     frame_draw_grid(canvas, &curve.frame);
     frame_clip(canvas, &curve.frame);
-    draw_last_departure(&curve, canvas);
-    draw_band(&curve, canvas);
     g_auto(Labels) labels = labels_new(&curve.frame);
+    draw_last_departure(&curve, canvas, &labels);
+    draw_band(&curve, canvas);
     add_obstacles(&curve, &labels);
-    guint jumps = plot_jumps(canvas, &curve.frame, table, &curve.info);
+    guint jumps = plot_jumps(canvas, &curve.frame, table, &curve.info, &labels);
     if (departure) mark_departure(&curve, canvas, *departure, &labels);
     plot_jump_labels(canvas, &curve.frame, table, &curve.info, &labels);
     canvas_unclip(canvas);

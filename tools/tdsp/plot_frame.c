@@ -8,6 +8,10 @@
 
 #define TICK_SPACING 95.0 /* points between ticks, about */
 #define TICK_LENGTH 5.0
+#define LEAST_BETWEEN 18.0 /* points between two numbers */
+#define MOST_TICKS 1000.0
+
+static const TextStyle number_style = {PLOT_TEXT, FALSE, PLOT_GREY, 0.5, 1, FALSE};
 
 double frame_x(const Frame *frame, double x)
 {
@@ -45,8 +49,6 @@ char *frame_axis_title(const Axis *axis)
     return *axis->unit ? g_strdup_printf("%s (%s)", axis->name, axis->unit) : g_strdup(axis->name);
 }
 
-#define MOST_TICKS 1000.0
-
 /* Counted, for adding 1 to a multiple that is large enough changes nothing. */
 Ticks frame_ticks(double low, double high, double step)
 {
@@ -59,19 +61,33 @@ double frame_tick(const Ticks *ticks, guint i)
     return (ticks->first + i) * ticks->step;
 }
 
-static Ticks ticks_of(double low, double high, double points)
+static Ticks ticks_of(double low, double high, double points, double spacing)
 {
-    return frame_ticks(low, high, frame_nice_step(high - low, fmax(2, points / TICK_SPACING)));
+    return frame_ticks(low, high, frame_nice_step(high - low, fmax(2, points / spacing)));
 }
 
-static Ticks ticks_x(const Frame *frame)
+static double widest_number(const Canvas *canvas, const Ticks *ticks)
 {
-    return ticks_of(frame->x_low, frame->x_high, frame->width);
+    double widest = 0;
+    for (guint i = 0; i < ticks->count; i++) {
+        g_autofree char *number = frame_number(frame_tick(ticks, i));
+        widest = fmax(widest, canvas_text_width(canvas, &number_style, number));
+    }
+    return widest;
+}
+
+/* So far apart that the numbers have room beside each other, if need be with a larger unit than the axis has. */
+static Ticks ticks_x(const Canvas *canvas, const Frame *frame)
+{
+    Ticks ticks = ticks_of(frame->x_low, frame->x_high, frame->width, TICK_SPACING);
+    double spacing = widest_number(canvas, &ticks) + LEAST_BETWEEN;
+    if (ticks.step / (frame->x_high - frame->x_low) * frame->width >= spacing) return ticks;
+    return ticks_of(frame->x_low, frame->x_high, frame->width, 2 * spacing);
 }
 
 static Ticks ticks_y(const Frame *frame)
 {
-    return ticks_of(frame->y_low, frame->y_high, frame->height);
+    return ticks_of(frame->y_low, frame->y_high, frame->height, TICK_SPACING);
 }
 
 static const Pen grid_pen = {PLOT_GRID, 1, FALSE, 0, 0}, axis_pen = {PLOT_GREY, 1, FALSE, 0, 0};
@@ -84,7 +100,7 @@ static void line(Canvas *canvas, double x0, double y0, double x1, double y1)
 
 void frame_draw_grid(Canvas *canvas, const Frame *frame)
 {
-    Ticks x = ticks_x(frame), y = ticks_y(frame);
+    Ticks x = ticks_x(canvas, frame), y = ticks_y(frame);
     for (guint i = 0; i < x.count; i++) {
         double at = frame_x(frame, frame_tick(&x, i));
         line(canvas, at, frame->top, at, frame->top + frame->height);
@@ -98,13 +114,12 @@ void frame_draw_grid(Canvas *canvas, const Frame *frame)
 
 static void draw_ticks_x(Canvas *canvas, const Frame *frame, const Axis *axis)
 {
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_GREY, 0.5, 1, FALSE};
-    Ticks ticks = ticks_x(frame);
+    Ticks ticks = ticks_x(canvas, frame);
     double bottom = frame->top + frame->height;
     for (guint i = 0; i < ticks.count; i++) {
         double x = frame_x(frame, frame_tick(&ticks, i));
         g_autofree char *number = frame_number(frame_tick(&ticks, i) / axis->divisor);
-        canvas_text(canvas, x, bottom + TICK_LENGTH + 5, &style, number);
+        canvas_text(canvas, x, bottom + TICK_LENGTH + 5, &number_style, number);
         line(canvas, x, bottom, x, bottom + TICK_LENGTH);
     }
     canvas_stroke(canvas, &axis_pen);

@@ -7,25 +7,30 @@
 #define MARKED 0.012   /* of the frame's height: smaller jumps get no ends ... */
 #define LABELLED 0.02  /* ... and no label */
 #define MOST_LABELS 12
+#define JUMP_END 3.6
+#define OBSTACLE_EVERY 4.0
 
 const Pen plot_jump_pen = {PLOT_ALARM, 1.6, FALSE, 0, 0};
 
 void plot_jump_end(Canvas *canvas, double x, double y, gboolean filled)
 {
-    canvas_circle(canvas, x, y, 3.6);
+    canvas_circle(canvas, x, y, JUMP_END);
     canvas_fill_and_stroke(canvas, filled ? PLOT_ALARM : PLOT_PAPER, &plot_jump_pen);
 }
 
 /* T is left-continuous: the lower end belongs to the curve, the upper one does not. */
-static void draw_jump(Canvas *canvas, const Frame *frame, const tdsp_jump *jump)
+static void draw_jump(Canvas *canvas, const Frame *frame, const tdsp_jump *jump, Labels *labels)
 {
     double x = frame_x(frame, jump->departure), before = frame_y(frame, jump->before), after = frame_y(frame, jump->after);
     canvas_move_to(canvas, x, before);
     canvas_line_to(canvas, x, after);
     canvas_stroke(canvas, &plot_jump_pen);
+    for (double y = before; y > after; y -= OBSTACLE_EVERY) labels_add_obstacle(labels, x, y);
     if (before - after < MARKED * frame->height) return;
     plot_jump_end(canvas, x, before, TRUE);
     plot_jump_end(canvas, x, after, FALSE);
+    labels_add_mark(labels, x, before, JUMP_END + 1);
+    labels_add_mark(labels, x, after, JUMP_END + 1);
 }
 
 /* The first jump at a row after the last one; *from moves on. */
@@ -38,13 +43,13 @@ static gboolean next_jump(const tdsp_table *table, const tdsp_table_info *info, 
     return TRUE;
 }
 
-guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info)
+guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels)
 {
     guint count = 0;
     double from = 0;
     tdsp_jump jump;
     while (next_jump(table, info, &from, &jump)) {
-        draw_jump(canvas, frame, &jump);
+        draw_jump(canvas, frame, &jump, labels);
         count++;
     }
     return count;

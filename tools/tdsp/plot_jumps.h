@@ -12,8 +12,8 @@ extern const Pen plot_jump_pen;
 /* A jump's end: filled where it belongs to the curve. */
 void plot_jump_end(Canvas *canvas, double x, double y, gboolean filled);
 
-/* Draw all jumps; returns their number. */
-guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info);
+/* Draw all jumps; returns their number. No label is to hide their ends. */
+guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels);
 
 /* Write beside the largest ones when they are, and what closes, as far as there is room. */
 void plot_jump_labels(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels);

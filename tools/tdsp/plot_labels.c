@@ -23,7 +23,12 @@ void labels_clear(Labels *labels)
 
 void labels_add_mark(Labels *labels, double x, double y, double radius)
 {
-    Box box = {x - radius, y - radius, x + radius, y + radius};
+    labels_add_box(labels, x - radius, y - radius, x + radius, y + radius);
+}
+
+void labels_add_box(Labels *labels, double left, double top, double right, double bottom)
+{
+    Box box = {left, top, right, bottom};
     g_array_append_val(labels->boxes, box);
 }
 

@@ -17,6 +17,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(Labels, labels_clear)
 
 /* Something at (x, y) that labels may not cover. */
 void labels_add_mark(Labels *labels, double x, double y, double radius);
+/* The same as a rectangle. */
+void labels_add_box(Labels *labels, double left, double top, double right, double bottom);
 /* A point of a line that labels should not cover. */
 void labels_add_obstacle(Labels *labels, double x, double y);
 

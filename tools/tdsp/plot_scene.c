@@ -27,7 +27,7 @@
 #define BELOW_LEGEND 24.0
 #define REST 0.15        /* of the time that the journeys take: how long a moving picture rests at its end */
 #define WIDEST_STEP 5e-10 /* a time between ticks as wide as one gets */
-#define FAR 1.5         /* discs count for the view up to so many lengths of the journey away */
+#define FAR 0.5         /* discs count for the view up to so many lengths of the journey away */
 
 typedef struct Extent {
     double x_low, x_high, y_low, y_high;

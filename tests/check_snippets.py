@@ -23,7 +23,7 @@ import textwrap
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 BLOCK = re.compile(r"^(?:<!-- (\S+) -->\n)?```(\w+)(?: +(\S+))?[^\n]*\n(.*?)^```", re.M | re.S)
 # Kinds of blocks of a page that other checks run.
-RUN_BY = {("docs/python.md", "python"): "tools/python/tests", ("docs/packaging.md", "cmake"): "tests/install"}
+RUN_BY = {("docs/python.md", "python"): "tools/python/tests", ("docs/packaging.md", "cmake"): "tests/install", ("docs/page.md", "js"): "tests/page"}
 ELSEWHERE = re.compile(r"^(git clone|cd |sudo )")
 
 

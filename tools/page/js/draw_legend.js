@@ -5,7 +5,7 @@
 import { TEXT } from "tdsp/draw_text.js";
 
 /** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
-/** @typedef {{kind: string, wide: number, text: string}} LegendItem `wide`: of the sample */
+/** @typedef {{kind: string, wide: number, text: string, room?: string}} LegendItem `wide`: of the sample; `room`: the longest text there may be */
 /** @typedef {LegendItem & {x: number, line: number}} PlacedItem */
 
 const LINE = 22;
@@ -21,7 +21,7 @@ const APART = 20;
 export function placeLegend(items, width, measure) {
     let x = 0, line = 0;
     const placed = items.map((item) => {
-        const wide = item.wide + WORDS + measure(item.text, { size: TEXT, colour: "" });
+        const wide = item.wide + WORDS + measure(item.room ?? item.text, { size: TEXT, colour: "" });
         if (x > 0 && x + wide > width) [x, line] = [0, line + 1];
         const at = { ...item, x, line };
         x += wide + APART;

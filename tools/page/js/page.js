@@ -170,6 +170,8 @@ export class Page {
     this.controls.showTimes({ until: this.answers.until, first: found.samples?.arrivals[0] || 0, arrival: this.#lastArrival(found), departure, deadline, units: this.units });
     this.controls.showTable({ built: found.built, problem: found.problems.table, none: this.#noTable(state, found), stale: found.tableStale });
     this.#showWords(state, found);
+    this.scene.draw();
+    this.curve.draw();
     showTables({ path: found.path, jumps: found.jumps, certified: found.tableStale ? null : this.answers.table ?? found.built?.table ?? null, unit: this.units.time });
     byId("busy").hidden = !found.working;
   }
@@ -199,7 +201,8 @@ export class Page {
   #giveScene() {
     const { scene, table } = this.answers;
     this.shown = { scene, table, description: scene?.description };
-    this.scene.show({ scene: scene ?? withoutDiscs(table, this.store.state.name) });
+    const canvas = byId("scene").getBoundingClientRect(), buttons = document.querySelector(".zoom").getBoundingClientRect();
+    this.scene.show({ scene: scene ?? withoutDiscs(table, this.store.state.name), corner: { width: canvas.right - buttons.left + 4, height: buttons.bottom - canvas.top + 4 } });
   }
 
   #showTransport() {

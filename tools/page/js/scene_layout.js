@@ -20,6 +20,8 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 const TICKS = 9; // about so many along a path of ordinary length
 const TICK_PIXELS = 70; // and one in so many pixels
 const GAP_LABELS = 12;
+/** Pixels between the window and the canvas's right edge. */
+export const RIGHT = 12;
 const CROWD = 600; // discs in the window; more go without an edge, which would take as long as the discs themselves
 
 /**
@@ -141,6 +143,7 @@ export function layoutScene(state, measure) {
     const axis = lengthAxis("x", state.units.length, projection.width / projection.scale);
     const bar = scaleBar(projection.scale, axis, Math.min(110, projection.width / 4));
     labels.addBox({ left: right - bar.pixels - 24, top: bottom - 38, right, bottom });
+    if (state.corner) labels.addBox({ left: right + RIGHT - state.corner.width, top: projection.top, right, bottom: state.corner.height });
     if (state.legs.length > 0) addPath(state, labels);
     const gaps = gapMarks(state), { ticks, every } = pathTicks(state);
     placeEnds(state, labels);

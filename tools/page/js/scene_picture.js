@@ -7,7 +7,8 @@ import { axesRoom, drawAxes, drawGrid, frameTicks, lengthAxis } from "tdsp/axes.
 import { outlineDisc, outlineDiscs } from "tdsp/scene_discs.js";
 import { beginsRide, positionAt } from "tdsp/scene_legs.js";
 import { drawLegend, placeLegend } from "tdsp/draw_legend.js";
-import { drawSample, fullLegend, legendOf } from "tdsp/scene_legend.js";
+import { RIGHT } from "tdsp/scene_layout.js";
+import { drawSample, legendOf } from "tdsp/scene_legend.js";
 import { drawEnd, drawEndRing, drawGap, drawHandles, drawRobot, drawScaleBar, outlineTick } from "tdsp/scene_marks.js";
 import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 
@@ -35,12 +36,14 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
  * @property {boolean} still a picture of one moment, not a moving one
  * @property {boolean} legend shown below
  * @property {number} head pixels kept free above, for a title
+ * @property {{width: number, height: number}|null} corner of the canvas, its top right one, that no label goes into: something else lies there
  */
 
 const GHOST = Object.freeze([7, 5]);
 const RIDDEN = Object.freeze([3, 3]);
 const RING = Object.freeze([5, 3]);
 const WIDE = 560;
+const ROOMY = 800;
 
 /**
  * Where the window is on a canvas of this size, and the legend below it.
@@ -50,17 +53,13 @@ const WIDE = 560;
  * @param {Pen["width"]} measure
  */
 export function arrangeScene(state, width, height, measure) {
-    const { projection } = state, titled = width >= WIDE, top = 10 + state.head, right = 12;
+    const { projection } = state, titled = width >= WIDE, top = 10 + state.head, right = RIGHT;
     const axes = { x: lengthAxis("x", state.units.length, projection.width / projection.scale), y: lengthAxis("y", state.units.length, projection.width / projection.scale) };
     const room = axesRoom(frameTicks(projection.frame(), axes.x, axes.y, measure), titled);
-    const wide = width - room.left - right, every = state.layout?.every ?? 0;
-    const placed = (items) => (state.legend ? placeLegend(items, wide, measure) : { items: [], height: 0 });
-    const legend = placed(legendOf(state, every, !titled));
-    // Where things move, room is kept for the whole legend: what is dragged or pointed at adds to it, and must not push the scene about.
-    const kept = state.still ? legend.height : Math.max(legend.height, placed(fullLegend(state, every, !titled)).height);
-    const below = room.bottom + (kept > 0 ? kept + 6 : 0);
-    projection.place(room.left, top, wide, height - top - below - 4);
-    return { axes, titled, legend: legend.items, legendTop: height - kept - 4 };
+    const legend = state.legend ? placeLegend(legendOf(state, state.layout?.every ?? 0, width < ROOMY), width - room.left - right, measure) : { items: [], height: 0 };
+    const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
+    projection.place(room.left, top, width - room.left - right, height - top - below - 4);
+    return { axes, titled, legend: legend.items, legendTop: height - legend.height - 4 };
 }
 
 /** @typedef {ReturnType<typeof arrangeScene>} Arrangement */

@@ -17,7 +17,7 @@ export const BLANK = Object.freeze({ robot: { speed: 1 }, source: [0, 0], destin
 export function blankScene(palette) {
     return {
         description: BLANK, count: 0, centers: centersOf([]), now: new Float64Array(0), later: null, legs: [], ghost: [], jumps: [], time: 0,
-        units: { length: "", time: "" }, selected: null, hover: null, palette, projection: new Projection(), layout: null, still: false, legend: true, head: 0,
+        units: { length: "", time: "" }, selected: null, hover: null, palette, projection: new Projection(), layout: null, still: false, legend: true, head: 0, corner: null,
     };
 }
 
@@ -31,7 +31,7 @@ export function sceneSvg(state, page, measure = guessedWidth) {
     const pen = new SvgPen(measure), title = page.title ?? state.description.name ?? "Scene";
     const projection = Object.assign(new Projection(), state.projection), middle = { width: projection.width, height: projection.height };
     /** @type {SceneState} */
-    const still = { ...state, projection, palette: page.palette ?? state.palette, still: true, hover: null, selected: null, head: 58 };
+    const still = { ...state, projection, palette: page.palette ?? state.palette, still: true, ghost: [], hover: null, selected: null, head: 58, corner: null };
     arrangeScene(still, page.width, page.height, measure);
     projection.scale *= Math.min(projection.width / middle.width, projection.height / middle.height);
     still.layout = layoutScene(still, measure);

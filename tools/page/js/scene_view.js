@@ -38,6 +38,7 @@ import { BLANK, blankScene, sceneSvg } from "tdsp/scene_svg.js";
  * @property {Target|null} selected
  * @property {Palette} palette
  * @property {boolean} legend below the window (default: shown)
+ * @property {{width: number, height: number}|null} corner of the canvas, its top right one, where something else lies: no label goes there
  */
 
 /**
@@ -59,6 +60,7 @@ import { BLANK, blankScene, sceneSvg } from "tdsp/scene_svg.js";
 
 const CURSORS = { source: "grab", destination: "grab", disc: "move", rim: "nwse-resize" };
 const STEP = 1.25;
+const LIVE = ["time", "selected", "ghost"];
 
 /** The view of a scene: {@link Shown}, {@link SceneOptions}. */
 export class SceneView {
@@ -87,10 +89,10 @@ export class SceneView {
         if (shown.jumps !== undefined) state.jumps = shown.jumps ?? [];
         if (shown.palette !== undefined) state.palette = shown.palette;
         if (shown.legend !== undefined) state.legend = shown.legend;
+        if (shown.corner !== undefined) state.corner = shown.corner;
         if (shown.time !== undefined) state.time = shown.time;
         if (shown.selected !== undefined) state.selected = shown.selected;
-        const still = ["time", "selected"];
-        if (Object.keys(shown).some((key) => !still.includes(key))) this.dirty.ground = true;
+        if (Object.keys(shown).some((key) => !LIVE.includes(key))) this.dirty.ground = true;
         this.change();
     }
 

@@ -58,3 +58,17 @@ test("a horizon is a round number that is not below what is asked", () => {
   }
   assert.equal(roundUp(0), 1);
 });
+
+test("a frame that began before the button was pressed does not run time back, before the beginning", () => {
+  const asked = [];
+  globalThis.requestAnimationFrame = (act) => asked.push(act);
+  try {
+    const playback = new Playback(() => {});
+    playback.span = { departure: 10, arrival: 30 };
+    playback.play({ from: 0 });
+    asked[0](performance.now() - 50);
+    assert.equal(playback.time, 0);
+  } finally {
+    delete globalThis.requestAnimationFrame;
+  }
+});

@@ -19,6 +19,13 @@ for (const digits of [2, 5, 6, 7, 10, 15])
 
 test("a negative number has a true minus sign", () => assert.equal(number(-2.5), "\u22122.5"));
 
+test("a label has all digits before the point", () => {
+    assert.equal(number(200000, 5), "200000");
+    assert.equal(number(-356330.4, 5), "\u2212356330");
+    assert.equal(number(999999.7, 5), "999999.7");
+    assert.equal(number(2e9, 5), "2e+09");
+});
+
 test("a unit stands behind its number, and no unit leaves no space", () => {
     assert.equal(withUnit(52.50008940356232, "s", 6), "52.5001 s");
     assert.equal(withUnit(5, ""), "5");

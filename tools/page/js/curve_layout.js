@@ -60,7 +60,9 @@ export function arrangeCurve(state, width, height, measure) {
     const legend = state.legend ? placeLegend(legendOf(state), width - left - right, measure) : { items: [], height: 0 };
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
     const frame = { ...state.window, left, top, width: Math.max(20, width - left - right), height: Math.max(20, height - top - below - 4) };
-    return { frame, axes, titled, ticks: frameTicks(frame, axes.x, axes.y, measure), legend: legend.items, legendTop: height - legend.height - 4 };
+    // A window of nothing has no numbers.
+    const ticks = state.curve.count > 0 ? frameTicks(frame, axes.x, axes.y, measure) : { x: [], y: [], widest: 0 };
+    return { frame, axes, titled, ticks, legend: legend.items, legendTop: height - legend.height - 4 };
 }
 
 /** @typedef {ReturnType<typeof arrangeCurve>} CurveArrangement */
@@ -114,26 +116,29 @@ function placeJumps(state, frame, labels) {
     }
 }
 
-/** What is written along the line of the last departure: as much as there is room for. @param {CurveState} state @param {Pen["width"]} measure */
-function lastText({ last, units }, room, measure) {
-    const style = { size: TEXT, colour: "" };
-    if (last.reason === "horizon") return "horizon";
+/** What may be written along the line of the last departure, the longest first. @param {CurveState} state @returns {string[]} */
+function lastTexts({ last, units }) {
+    if (last.reason === "horizon") return ["horizon"];
     const why = reasonWords(last.reason), moment = withUnit(last.departure, units.time, 6);
-    const texts = [why && `last departure ${moment}: then ${why}`, why && `then ${why}`, `last departure ${moment}`, "last departure"];
-    return texts.find((text) => text && measure(text, style) < room) ?? "";
+    return [...(why ? [`last departure ${moment}: then ${why}`, `then ${why}`] : []), `last departure ${moment}`, "last departure"];
 }
 
-/** The line of the last departure, and words along it where the curve leaves more room: below it or above. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */
+/** The line of the last departure, and the longest words that find a place along it which hides no curve. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */
 function placeLast(state, frame, labels, measure) {
     const { last, curve } = state;
     if (!last || !Number.isFinite(last.departure) || curve.count === 0) return null;
-    const x = frameX(frame, last.departure), low = frame.top + frame.height;
-    const end = placeOf(state, frame, curve.departure[curve.count - 1], curve.travel[curve.count - 1]).y;
-    const below = low - end > end - frame.top, text = lastText(state, (below ? low - end : end - frame.top) - 26, measure);
-    const long = measure(text, { size: TEXT, colour: "" }), y = below ? low - 10 : end - 14;
-    labels.addBox({ left: x - 21, right: x + 3, top: y - long - 4, bottom: y });
-    labels.addLine(x, frame.top, x, low);
-    return { x, text, y };
+    const x = frameX(frame, last.departure), low = frame.top + frame.height - 10, high = frame.top + 10;
+    for (const text of lastTexts(state)) {
+        const long = measure(text, { size: TEXT, colour: "" }) + 4;
+        for (const bottom of [low, (low + high + long) / 2, high + long]) {
+            const box = { left: x - 21, right: x - 2, top: bottom - long, bottom };
+            if (!labels.isFree(box) || labels.hidden(box) > 0) continue;
+            labels.addBox(box);
+            labels.addLine(x, frame.top, x, frame.top + frame.height);
+            return { x, text, y: bottom, box };
+        }
+    }
+    return { x, text: "", y: low, box: null };
 }
 
 /**

@@ -6,6 +6,7 @@
 import { drawAxes, drawGrid, frameX, frameY } from "tdsp/axes.js";
 import { valueOf } from "tdsp/curve_data.js";
 import { placeOf } from "tdsp/curve_layout.js";
+import { areApart } from "tdsp/draw_labels.js";
 import { drawLegend } from "tdsp/draw_legend.js";
 import { TEXT } from "tdsp/draw_text.js";
 import { withUnit } from "tdsp/numbers.js";
@@ -149,7 +150,7 @@ function drawLast(pen, state, frame, { last }) {
     pen.move(last.x, frame.top);
     pen.line(last.x, frame.top + frame.height);
     pen.stroke(state.palette.alarm, 1.4, LAST);
-    pen.textUpwards(last.x - 7, last.y, last.text, { size: TEXT, colour: state.palette.alarmText, halo: state.palette.paper });
+    if (last.text) pen.textUpwards(last.x - 7, last.y, last.text, { size: TEXT, colour: state.palette.alarmText, halo: state.palette.paper });
 }
 
 /** @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
@@ -259,16 +260,28 @@ function drawHoverLines(pen, state, frame, labels) {
     drawPlace(pen, state, at, 4.5, palette.other, labels);
 }
 
-/** What a departure means, beside its place. @param {Pen} pen @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
-function writeMoment(pen, state, frame, labels, departure, style) {
-    const travel = state.travel(departure), at = placeOf(state, frame, departure, travel);
-    const label = labels.place(at.x, Number.isNaN(at.y) ? frame.top + 30 : at.y, 11, -Math.PI / 2, momentText(state, departure, travel), style);
-    if (label) pen.text(label.x, label.y, label.text, label.style);
+/** What a departure means, beside its place: in the way of a label that always stands there, if it must. @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
+function placeMoment(state, frame, labels, marks, departure, style) {
+    const travel = state.travel(departure), { x, y } = placeOf(state, frame, departure, travel);
+    const text = momentText(state, departure, travel), top = Number.isNaN(y) ? frame.top + 30 : y;
+    return labels.place(x, top, 11, -Math.PI / 2, text, style) ?? marks.place(x, top, 11, -Math.PI / 2, text, style);
+}
+
+/** Labels of both moments, then those that always stand there, as far as they are not in the way. @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
+function drawLabels(pen, state, frame, layout, labels) {
+    const { palette } = state, marks = labels.copy(), moments = [];
+    marks.boxes = layout.last?.box ? [layout.last.box] : [];
+    if (state.departure !== null) moments.push(placeMoment(state, frame, labels, marks, state.departure, { size: TEXT, bold: true, colour: palette.pathText, halo: palette.paper }));
+    if (moments[0]) marks.addBox(moments[0]);
+    if (state.hover !== null) moments.push(placeMoment(state, frame, labels, marks, state.hover, { size: TEXT, colour: palette.otherText, halo: palette.paper }));
+    const shown = moments.filter((label) => label !== null);
+    pen.part("labels");
+    for (const label of [...layout.placed.filter((one) => shown.every((other) => areApart(one, other))), ...shown]) pen.text(label.x, label.y, label.text, label.style);
 }
 
 /** The knob that the slider is held by, on the axis. @param {Pen} pen @param {CurveState} state */
 function drawKnob(pen, state, frame) {
-    if (state.departure === null) return;
+    if (state.departure === null || state.curve.count === 0) return;
     const { palette } = state, x = Math.min(frame.left + frame.width, frameX(frame, state.departure)), y = frame.top + frame.height;
     pen.part("slider");
     pen.begin();
@@ -288,14 +301,12 @@ function drawKnob(pen, state, frame) {
 
 /** What moves. @param {Pen} pen @param {CurveState} state @param {CurveArrangement} arrangement @param {CurveLayout} layout */
 export function drawCurveLive(pen, state, { frame }, layout) {
+    if (state.curve.count === 0) return;
     const labels = layout.labels.copy();
     pen.clip(frame.left, frame.top, frame.width, frame.height);
     drawHoverLines(pen, state, frame, labels);
     drawDepartureLine(pen, state, frame, labels);
-    pen.part("labels");
-    for (const label of layout.placed) pen.text(label.x, label.y, label.text, label.style);
-    if (state.departure !== null) writeMoment(pen, state, frame, labels, state.departure, { size: TEXT, bold: true, colour: state.palette.pathText, halo: state.palette.paper });
-    if (state.hover !== null) writeMoment(pen, state, frame, labels, state.hover, { size: TEXT, colour: state.palette.otherText, halo: state.palette.paper });
+    drawLabels(pen, state, frame, layout, labels);
     pen.unclip();
     drawKnob(pen, state, frame);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * Placing labels, as `tdsp plot` does: twelve places around the point are tried; of those free of other labels and marks, the one that
- * hides least of the lines wins, the wanted direction first. A label without a free place is left out.
+ * Placing labels, as `tdsp plot` does: twelve places around the point are tried, and twelve further away; of those free of other
+ * labels and marks, the one that hides least of the lines wins, the wanted direction first. A label without a free place is left out.
  */
 
 /** @typedef {import("tdsp/draw_text.js").TextStyle} TextStyle */
@@ -12,6 +12,8 @@
  */
 
 const PLACES = 12;
+const RINGS = 2;
+const FURTHER = 12; // pixels from one ring to the next
 const CELL = 16;
 const COLUMNS = 4096;
 
@@ -19,6 +21,11 @@ const COLUMNS = 4096;
 function turned(angle, place) {
     const twelfths = place % 2 === 1 ? (place + 1) / 2 : -(place / 2);
     return angle + (2 * Math.PI * twelfths) / PLACES;
+}
+
+/** @param {Box} one @param {Box} other */
+export function areApart(one, other) {
+    return one.right < other.left || other.right < one.left || one.bottom < other.top || other.bottom < one.top;
 }
 
 export class Labels {
@@ -75,7 +82,7 @@ export class Labels {
     isFree(box) {
         const frame = this.frame;
         if (box.left < frame.left + 3 || box.right > frame.right - 3 || box.top < frame.top + 3 || box.bottom > frame.bottom - 3) return false;
-        return this.boxes.every((other) => box.right < other.left || other.right < box.left || box.bottom < other.top || other.bottom < box.top);
+        return this.boxes.every((other) => areApart(box, other));
     }
 
     /** How many points of lines lie under the box. @param {Box} box */
@@ -94,8 +101,8 @@ export class Labels {
     place(x, y, distance, angle, text, style) {
         const width = this.measure(text, style) + 4, height = style.size + 2;
         let best = null, least = Infinity;
-        for (let i = 0; i < PLACES && least > 0; i++) {
-            const box = boxAt(x, y, distance, turned(angle, i), width, height);
+        for (let i = 0; i < RINGS * PLACES && least > 0; i++) {
+            const box = boxAt(x, y, distance + Math.floor(i / PLACES) * FURTHER, turned(angle, i % PLACES), width, height);
             const cost = this.isFree(box) ? this.hidden(box) : Infinity;
             if (cost < least) [best, least] = [box, cost];
         }

@@ -10,7 +10,7 @@ import { TEXT } from "tdsp/draw_text.js";
 
 const LINE = 22;
 const WORDS = 7;
-const APART = 20;
+const APART = 18;
 
 /**
  * @param {LegendItem[]} items

@@ -33,13 +33,19 @@ export function brief(value, digits) {
     return withoutZeros(value.toFixed(digits - 1 - power));
 }
 
+/** All digits before the point, up to a thousand million: people read 200000 more easily than 2e+05. */
+function wholeDigits(value) {
+    const size = Math.round(Math.abs(value));
+    return size >= 1 && size < 1e9 ? Math.floor(Math.log10(size) + 1e-12) + 1 : 0;
+}
+
 /**
- * A number on an axis or in a label: as brief(), with a true minus sign.
+ * A number on an axis or in a label: as brief(), with a true minus sign, and never with an exponent where whole digits do.
  * @param {number} value
  * @param {number} [digits]
  */
 export function number(value, digits = 10) {
-    return brief(value, digits).replace(/^-/, MINUS);
+    return brief(value, Math.max(digits, wholeDigits(value))).replace(/^-/, MINUS);
 }
 
 /**

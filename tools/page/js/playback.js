@@ -70,7 +70,8 @@ export class Playback {
   }
 
   #tick(now) {
-    const step = Math.min(0.1, (now - this.#before) / 1000) * this.pace;
+    // A frame's time may be before the press that began to play, and time never runs back.
+    const step = Math.max(0, Math.min(0.1, (now - this.#before) / 1000)) * this.pace;
     this.#before = now;
     this.time = advanced(this.time, step, this.span);
     if (this.time < this.span.arrival) {

@@ -20,6 +20,8 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 const TICKS = 9; // about so many along a path of ordinary length
 const TICK_PIXELS = 70; // and one in so many pixels
 const GAP_LABELS = 12;
+/** Pixels of a canvas that has room for a legend in many words. */
+export const ROOMY = 800;
 /** Pixels between the window and the canvas's right edge. */
 export const RIGHT = 12;
 const CROWD = 600; // discs in the window; more go without an edge, which would take as long as the discs themselves
@@ -33,6 +35,11 @@ const CROWD = 600; // discs in the window; more go without an edge, which would 
  * @property {{pixels: number, text: string}} bar
  * @property {boolean} crowded too many discs for edges
  */
+
+/** Is there room for a legend in many words? @param {SceneState} state */
+function isRoomy(state) {
+    return state.projection.left + state.projection.width + RIGHT >= ROOMY;
+}
 
 /** Is a point of the screen in the window, or nearly? @param {SceneState["projection"]} projection */
 function inWindow(projection, x, y, around = 0) {
@@ -149,7 +156,7 @@ export function layoutScene(state, measure) {
     placeEnds(state, labels);
     placeGaps(state, labels, gaps);
     const style = { size: 11, colour: palette.ink, halo: palette.paper };
-    for (const tick of ticks) labels.place(tick.x, tick.y, 7, beside(tick), number(tick.time), style);
+    for (const tick of ticks) labels.place(tick.x, tick.y, 7, beside(tick), isRoomy(state) ? number(tick.time) : withUnit(tick.time, state.units.time), style);
     const crowded = countSeen(projection, state.centers, state.later ?? state.now) > CROWD;
     return { gaps, ticks, every, labels: labels.placed, bar, crowded };
 }

@@ -13,16 +13,16 @@ const RIDDEN = Object.freeze([3, 3]);
  * What a picture that moves may show is always named, lest the window change its size while things come and go; in a still one only what it shows.
  * @param {SceneState} state
  * @param {number} every time between ticks of the path, 0 without
- * @param {boolean} short in few words, where there is little room
+ * @param {boolean} short in few words, where there is little room; ticks then carry their unit
  * @returns {LegendItem[]}
  */
 export function legendOf(state, every, short) {
     const items = [], { count, legs, units, still } = state;
     if (count > 0) items.push({ kind: "now", wide: 14, text: still ? `discs at ${withUnit(state.time, units.time, 5)}` : "discs now" });
     if (count > 0 && (!still || state.later)) items.push({ kind: "later", wide: 14, text: "at arrival" });
-    if (!still || legs.length > 0) items.push(pathItem(every, units.time));
+    if (!still || legs.length > 0) items.push(short ? { kind: "path", wide: 24, text: "path" } : pathItem(every, units.time));
     if (still ? legs.some((leg) => leg.ride) : count > 0) items.push({ kind: "ridden", wide: 24, text: short ? "ridden disc" : "ridden disc, as the ride begins" });
-    if (still ? state.jumps.length > 0 : count > 0) items.push({ kind: "gap", wide: 22, text: "gap that closes" });
+    if (still ? state.jumps.length > 0 : count > 0) items.push({ kind: "gap", wide: 22, text: short ? "closing gap" : "gap that closes" });
     return items;
 }
 

@@ -7,7 +7,7 @@ import { axesRoom, drawAxes, drawGrid, frameTicks, lengthAxis } from "tdsp/axes.
 import { outlineDisc, outlineDiscs } from "tdsp/scene_discs.js";
 import { beginsRide, positionAt } from "tdsp/scene_legs.js";
 import { drawLegend, placeLegend } from "tdsp/draw_legend.js";
-import { RIGHT } from "tdsp/scene_layout.js";
+import { RIGHT, ROOMY } from "tdsp/scene_layout.js";
 import { drawSample, legendOf } from "tdsp/scene_legend.js";
 import { drawEnd, drawEndRing, drawGap, drawHandles, drawRobot, drawScaleBar, outlineTick } from "tdsp/scene_marks.js";
 import { Tracer, traceLegs } from "tdsp/scene_trace.js";
@@ -43,7 +43,6 @@ const GHOST = Object.freeze([7, 5]);
 const RIDDEN = Object.freeze([3, 3]);
 const RING = Object.freeze([5, 3]);
 const WIDE = 560;
-const ROOMY = 800;
 
 /**
  * Where the window is on a canvas of this size, and the legend below it.

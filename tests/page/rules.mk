@@ -8,10 +8,11 @@ $(CHECK)/page.result: $(BUILD)/page/tdsp.wasm $(COMMAND) ; $(RUN) $(NODE) --test
 
 # The page itself in a browser: not everybody's machine has one.
 .PHONY: check-page
-check-page: ## try the page in Chromium, installed first where it is missing: clicks, keys, files, pictures, frame times
+check-page: ## try the page in Chromium, installed first where it is missing: clicks, keys, files, pictures, frame times; and check its types
 	@tools/setup/packages.sh page-check
 	@$(MAKE) --no-print-directory -s $(PAGE)/index.html $(COMMAND)
 	@rm -rf $(CHECK)/browser && mkdir -p $(CHECK)/browser
 	@tests/run.sh $(CHECK)/browser/page.result page tests/page/browser/check.sh $(abspath $(BUILD))
+	@tests/run.sh $(CHECK)/browser/types.result types tests/page/types/check.sh $(abspath $(BUILD))
 	@grep -h '^# measured' $(CHECK)/browser/page.out || true
 	@tests/summary.sh $(CHECK)/browser

@@ -12,6 +12,9 @@
 #define GRAZE_VALUE 1e-15
 #define GRAZE_TURN 0.01
 
+/* So near to a place where F is 0 another one is no other. */
+#define MOST_HALVINGS 40
+
 /* F that rounding may make of 0. */
 #define TOUCH_VALUE 1e-15
 
@@ -62,12 +65,34 @@ static double target_value(const leave_target *target, double at)
     return target->run == SHAPE_NONE ? target_offset(target, &line) : target_nearest(target, &line, 0).value;
 }
 
+/*
+ * Whoever starts on both boundaries has a value of 0 there, and may have another root behind it: the first place on the way back to `a`, halving, whose value has the other sign than
+ * that at *b, which becomes the place before. `a` where there is none.
+ */
+static double root_behind_zero(const leave_target *target, double a, double *b, double *fb, double *value)
+{
+    for (int step = 0; step < MOST_HALVINGS; ++step) {
+        double at = 0.5 * (a + *b);
+        if (!(at > a && at < *b)) break;
+        *value = target_value(target, at);
+        if (*value != 0.0 && (*value > 0.0) != (*fb > 0.0)) return at;
+        *b = at;
+        *fb = *value;
+        if (*value == 0.0) break;
+    }
+    return a;
+}
+
 /* A root between two places with values of different sign, or where the value is small enough: regula falsi with the Illinois weights, halving when that is slow. */
 static double target_root(const leave_target *target, double a, double fa, double b, double fb, double enough)
 {
     int last = 0;
-    if (fa == 0.0) return a;
     if (fb == 0.0) return b;
+    if (fa == 0.0) {
+        double zero = a;
+        a = root_behind_zero(target, zero, &b, &fb, &fa);
+        if (a == zero) return zero;
+    }
     for (int step = 0; step < 200; ++step) {
         double width = b - a, at = step % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
         if (!(at > a && at < b)) at = 0.5 * (a + b);

@@ -282,7 +282,8 @@ static tdsp_status latest_run(tdsp_solver *solver, double arrival, double after,
     solver->has_path = 0;
     if (solver->growth) return latest_general(state, arrival);
     if (scene_is_still(scene)) return latest_still(state, arrival);
-    if (solver_is_far(solver, math_min(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
+    /* Infinite also where rates are so small that the moment in which the destination is covered is beyond doubles. */
+    if (isinf(state->arrival / scene->time) || solver_is_far(solver, math_min(state->arrival, ends->source_cover.time))) return TDSP_NOT_SUPPORTED;
     if (scene_covered(ends->source_cover, 0.0) || state->arrival < straight * (1.0 - SAME_TIME)) return TDSP_OK;
     if (straight > 0.0) return relax_run(&solver->relaxation, &solver->engine, ask_latest, state);
     state->best = state->arrives = math_min(state->arrival, ends->source_cover.time);

@@ -148,6 +148,30 @@ static void nobody_leaves_a_vast_disc_from_behind(void **state)
     assert_near(agreed_arrival(&d, 144964.88), agreed_arrival(&without, 144964.88), 3.7e13 * 0x1p-50);
 }
 
+/* In the general method the ride on the faster of two discs that touch from inside, at the source, was over before the place where it leaves for the other. */
+static void a_source_where_two_discs_touch_from_inside_is_left_by_both(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 0.0, {-1.0, 0.0}, {0.671875, -2.0}},
+                          2,
+                          {{{-0.57421875, 0.0}, 0.42578125, 0.032499999999967499}, {{-0.48828125, 0.0}, 0.51171875, 0.024999999975000003}}};
+    assert_near(agreed_arrival(&d, 0.0), 2.641733936823384, 1e-10);
+}
+
+/* The moment in which the destination is covered was infinite, and a search back from it not a number. */
+static void a_destination_covered_later_than_doubles_say_is_too_far(void **state)
+{
+    (void)state;
+    const degenerate d = {{1e6, 0.0, {0.0, 0.0}, {1.953125, -1.953125}}, 2, {{{0.0, 0.0}, 0.0, 1e-303}, {{-0.109486, -1.953125}, 0.0, 1e-303}}};
+    tdsp_scene *scene = scene_of(&d);
+    tdsp_solver *solver;
+    double departure;
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_latest_departure(solver, INFINITY, &departure, NULL), TDSP_NOT_SUPPORTED);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 /* R(t) = radius + rate t / (1 + t / span) */
 typedef struct slowing {
     double radius, rate, span;
@@ -237,6 +261,8 @@ int main(void)
         cmocka_unit_test(a_destination_on_the_boundary_of_a_pebble_is_reached),
         cmocka_unit_test(a_source_a_hair_off_a_boundary_is_left_both_ways_round),
         cmocka_unit_test(nobody_leaves_a_vast_disc_from_behind),
+        cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both),
+        cmocka_unit_test(a_destination_covered_later_than_doubles_say_is_too_far),
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),

@@ -35,7 +35,7 @@
  */
 static inline double tolerance_behind(double radius)
 {
-    return fmin(GEOM_ANGLE_START, GEOM_ANGLE + GEOM_CONTACT_LARGE / radius);
+    return math_min(GEOM_ANGLE_START, GEOM_ANGLE + GEOM_CONTACT_LARGE / radius);
 }
 
 /* Relative slack of the closed ends of a tangent's domain, so that legs of length 0 are not lost. */

@@ -74,3 +74,8 @@ test("the command can be pasted into a shell", () => {
   assert.equal(buildCommand({ file: "two-discs", epsilon: 0.01, horizon: null }), "tdsp build two-discs.json -o two-discs.tdsp --epsilon 0.01");
   assert.equal(buildCommand({ file: "it's", epsilon: 0.01, horizon: 100 }), "tdsp build 'it'\\''s.json' -o 'it'\\''s.tdsp' --epsilon 0.01 --horizon 100");
 });
+
+test("where no departure ever arrives, none is said to have been the last", () => {
+  const sentences = answerWords({ departure: 9.8, answer: { status: "source_covered", arrival: null }, jumps: [], last: { departure: -Infinity, reason: "source_covered" }, deadline: null, latest: null, unit: "s" });
+  assert.equal(said(sentences), "Leaving at 9.8 s you do not arrive: the source is covered.");
+});

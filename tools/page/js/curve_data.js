@@ -162,9 +162,10 @@ export function curveWindow(curve, last, mode, rows) {
         high = Math.max(high, value);
     }
     if (!(high >= low)) [low, high] = [0, 1];
-    let range = high - low;
-    if (!(range > 1e-9 * Math.abs(high))) range = high > 0 ? 0.1 * high : 1;
-    return { xLow: -0.01 * until, xHigh: 1.04 * until, yLow: low > 0 ? Math.max(low - 0.08 * range, 0) : -0.08 * range, yHigh: low + 1.1 * range };
+    const range = high - low, xLow = -0.01 * until, xHigh = 1.04 * until;
+    // A level curve is in the middle.
+    if (!(range > 1e-9 * Math.abs(high))) return { xLow, xHigh, yLow: high > 0 ? 0.9 * low : low - 1, yHigh: high > 0 ? 1.1 * high : high + 1 };
+    return { xLow, xHigh, yLow: low > 0 ? Math.max(low - 0.08 * range, 0) : -0.08 * range, yHigh: low + 1.1 * range };
 }
 
 /**

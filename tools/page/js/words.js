@@ -91,7 +91,7 @@ export function answerWords(shown) {
 
 /** Where there is no way, what would have been the last moment. */
 function lastWords({ last, departure, unit }) {
-  if (!last || !(last.departure < departure)) return [];
+  if (!last || !(last.departure >= 0 && last.departure < departure)) return [];
   return [{ text: `The last departure was ${withUnit(last.departure, unit, 5)}.` }];
 }
 

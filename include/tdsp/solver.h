@@ -159,7 +159,7 @@ TDSP_API tdsp_status tdsp_latest_departures(tdsp_solver *solver, const tdsp_poin
 
 /** What ends the departures. */
 typedef struct tdsp_last_departure {
-    double departure;   /* t_last; infinite when nothing ever ends the departures; negative when there is no way at t = 0 */
+    double departure;   /* t_last; infinite when nothing ever ends the departures */
     double arrival;     /* A(t_last) */
     tdsp_status reason; /* why there is no way right after it: TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED, TDSP_CUT_OFF;
                            TDSP_OK when nothing ever ends the departures */
@@ -169,7 +169,8 @@ typedef struct tdsp_last_departure {
     tdsp_point place;   /* where: the end covered, or the corner of the gap */
 } tdsp_last_departure;
 
-/** t_last = sup { t : A(t) < infinity } and its reason. Errors as tdsp_latest_departure(). Since 0.1. */
+/** t_last = sup { t : A(t) < infinity } and its reason. TDSP_OK; the reason why there is no way at all, and `out` is untouched; errors as
+ * tdsp_latest_departure(). Since 0.1. */
 TDSP_API tdsp_status tdsp_solver_last_departure(tdsp_solver *solver, tdsp_last_departure *out);
 
 /**

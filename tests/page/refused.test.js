@@ -82,3 +82,27 @@ test("numbers that JSON cannot write are refused in a description", () => {
             status: "bad_scene",
         });
 });
+
+test("texts with mistakes anywhere are judged as the command judges them", () => {
+    const text = '{"name": "é", "units": {"length": "m"}, "robot": {"speed": 1, "radius": 0.25}, "source": [-10, 0], "destination": [10, 0],\n'
+        + ' "georeference": {"origin": [10, 50]}, "discs": [{"center": [0, 3], "radius": 1, "growth": 0.1},\n {"center": [0, -3], "radius": 1, "growth": [0.1, 0.02]},'
+        + ' {"center": [0, -30], "radius": 1, "growth": {"times": [0, 5], "rates": [0.1, 0.2]}}]}';
+    const pieces = [..."-019eE.+,:[]{}\"\\u x\n\u0000é\ud83d\udd25", "null", "1e999", "-1", "1e101", "1e-400", "00", '"a":1,', "\\ud83d\\udd25", "\\u0000"];
+    let seed = 20;
+    const below = (limit) => Math.floor(((seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0) / 2 ** 32) * limit);
+    for (let i = 0; i < 150; i++) {
+        const at = below(text.length), cut = at + below(3);
+        const bytes = Buffer.from(text.slice(0, at) + (below(3) > 0 ? pieces[below(pieces.length)] : "") + text.slice(cut));
+        if (below(8) === 0) bytes[below(bytes.length)] |= 128;
+        const own = judge(bytes), wanted = commanded(bytes);
+        assert.equal(own.refused?.replace("this is neither", "neither") ?? null, wanted.refused, bytes.toString());
+        assert.equal(own.warnings.length, wanted.warnings.length, bytes.toString());
+    }
+});
+
+test("of bytes that are no UTF-8 and a zero byte the first is named", () => {
+    for (const text of ["{\0\xff", "{\xff\0", "x\xff", "{1e1010.5\xff"]) {
+        const bytes = Buffer.from(text, "latin1");
+        assert.equal(judge(bytes).refused.replace("this is neither", "neither"), commanded(bytes).refused);
+    }
+});

@@ -11,7 +11,6 @@ const DEPTH = 32; // a scene needs 4
 const WORDS = /** @type {Record<string, boolean | null>} */ ({ true: true, false: false, null: null });
 const ESCAPES = /** @type {Record<string, string>} */ ({ '"': '"', "\\": "\\", "/": "/", b: "\b", f: "\f", n: "\n", r: "\r", t: "\t" });
 const NUMBER = /-?(?:0(?![\dA-DF-Za-df-z])|[1-9]\d*)(?:\.\d+)?(?:[eE][+-]?\d+)?/y;
-const UNFINISHED = /^(?:\.|[eE])/;
 
 class Wrong {
     /**
@@ -35,8 +34,6 @@ class Scan {
     }
 
     document() {
-        const zero = this.#text.indexOf("\0");
-        if (zero >= 0) throw new Wrong(zero, "a zero byte");
         const value = this.#value();
         this.#space();
         if (this.#at < this.#text.length) throw new Wrong(this.#at, "something follows the end of the JSON value");
@@ -163,7 +160,9 @@ class Scan {
     #number() {
         NUMBER.lastIndex = this.#at;
         const token = NUMBER.exec(this.#text)?.[0] ?? "";
-        if (!token || UNFINISHED.test(this.#text.slice(this.#at + token.length, this.#at + token.length + 1))) throw new Wrong(this.#at, "not a number as JSON writes them");
+        const next = this.#text.charAt(this.#at + token.length);
+        const cut = /[eE]/.test(token) ? "" : token.includes(".") ? "eE" : ".eE"; // what would have gone on, had digits followed
+        if (!token || (next && cut.includes(next))) throw new Wrong(this.#at, "not a number as JSON writes them");
         const value = Number(token);
         if (!Number.isFinite(value)) throw new Wrong(this.#at, "a number too large for a double");
         this.#at += token.length;
@@ -182,26 +181,25 @@ class Scan {
 }
 
 /**
- * Text from bytes; what is not UTF-8 is refused as a mistake behind the last character that is.
+ * Text from bytes, as far as these are UTF-8, and whether that is all.
  * @param {Uint8Array} bytes
  */
 function decode(bytes) {
+    const start = (/** @type {number} */ length, stream = true) => new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes.subarray(0, length), { stream });
     try {
-        return new TextDecoder("utf-8", { fatal: true, ignoreBOM: true }).decode(bytes);
+        return { text: start(bytes.length, false), whole: true };
     } catch {
-        const decoder = () => new TextDecoder("utf-8", { fatal: true, ignoreBOM: true });
         let [good, bad] = [0, bytes.length + 1]; // a start of `good` bytes is fine, one of `bad` is not
         while (bad - good > 1) {
             const middle = (good + bad) >> 1;
             try {
-                decoder().decode(bytes.subarray(0, middle), { stream: true });
+                start(middle);
                 good = middle;
             } catch {
                 bad = middle;
             }
         }
-        const start = decoder().decode(bytes.subarray(0, good), { stream: true });
-        throw refusal(start, new Wrong(start.length, "not UTF-8"));
+        return { text: start(good), whole: false };
     }
 }
 
@@ -221,9 +219,12 @@ function refusal(text, { at, reason }) {
  * @returns {any}
  */
 export function parseJson(source) {
-    const text = (typeof source === "string" ? source : decode(source)).replace(/^\ufeff/, "");
+    const decoded = typeof source === "string" ? { text: source, whole: true } : decode(source);
+    const text = decoded.text.replace(/^\ufeff/, "");
     if (!/^[ \t\r\n]*[[{]/.test(text)) throw new CoreError("this is neither JSON nor a table", "bad_scene");
     try {
+        if (text.includes("\0")) throw new Wrong(text.indexOf("\0"), "a zero byte");
+        if (!decoded.whole) throw new Wrong(text.length, "not UTF-8");
         return new Scan(text).document();
     } catch (error) {
         throw error instanceof Wrong ? refusal(text, error) : error;

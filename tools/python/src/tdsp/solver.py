@@ -249,7 +249,7 @@ class Solver:
         return point_from(ends.source)
 
     def last_departure(self) -> LastDeparture:
-        """What ends the departures, when and where."""
+        """What ends the departures, when and where. Raises NoWay where there is no way at 0."""
         out = _abi.tdsp_last_departure()
         with self._asking() as pointer:
             check(lib.tdsp_solver_last_departure(pointer, ctypes.byref(out)))

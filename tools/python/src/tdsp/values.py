@@ -115,7 +115,7 @@ class TableJump:
 
 @dataclass(frozen=True)
 class LastDeparture:
-    """What ends the departures. `departure` is infinite, and `reason` OK, when nothing does; negative when there is no way at 0."""
+    """What ends the departures. `departure` is infinite, and `reason` OK, when nothing does."""
 
     departure: float
     arrival: float

@@ -48,7 +48,7 @@ static uint64_t reduce_bits(const uint32_t product[PRODUCT_WORDS], int at)
 static void reduce_to_angle(uint64_t high, uint64_t low, reduce_rest *rest)
 {
     int shift = 0;
-    for (; shift < 64 && !(high >> 63); ++shift) {
+    for (; !(high >> 63); ++shift) { /* 62 times at most: none is nearer to a multiple */
         high = high << 1 | low >> 63;
         low <<= 1;
     }

@@ -57,7 +57,7 @@ def analyse(root, length, machine, opened):
     sources = [root / s for s in SOURCES] + sorted(p for p in [*root.glob("src/table/*.c"), *root.glob("src/query/*.c")] if p.name != "matrix.c")
     include = f"-I{root}/include -I{root}/src -I{ROOT}/tests -DLENGTH={length} -DOPEN={opened} -DBATCH_MIN_ROWS=2u"
     line = ["frama-c", "-machdep", machine, "-cpp-extra-args=" + include, *OPTIONS, str(ROOT / "tests/proof/table.c"),
-            str(ROOT / "tests/proof/libm.c"), *map(str, sources)]
+            str(ROOT / "tests/proof/mathematics.c"), *map(str, sources)]
     return subprocess.run(line, capture_output=True, text=True)
 
 

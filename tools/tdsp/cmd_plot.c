@@ -70,7 +70,7 @@ static gboolean draw_picture(const SceneSolver *solver, const Wanted *wanted, Sc
     if (!find_jumps(wanted, solver->solver, &jumps, error)) return FALSE;
     picture->jumps = jumps;
     picture->seconds = wanted->seconds;
-    *drawn = (Drawn){picture->journeys[0].arrival, picture->journeys[0].status, wanted->seconds > 0 && plot_scene_can_move(picture)};
+    *drawn = (Drawn){picture->journeys[0].arrival, picture->journeys[0].status, plot_scene_moves(picture)};
     gboolean done = plot_scene(picture, wanted->output, error);
     tdsp_jumps_free(jumps);
     return done;

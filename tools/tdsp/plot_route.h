@@ -8,7 +8,7 @@
 
 typedef struct Route {
     const tdsp_leg *legs;
-    gsize count;          /* at least 1 */
+    gsize count;          /* at least 1 where it is drawn */
     guint32 colour, tint; /* the tint shows where the robot has yet to go */
 } Route;
 

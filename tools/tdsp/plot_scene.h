@@ -3,6 +3,7 @@
 #ifndef PLOT_SCENE_H
 #define PLOT_SCENE_H
 
+#include "plot_route.h"
 #include "scene_file.h"
 #include "tdsp/shape.h"
 
@@ -21,11 +22,17 @@ typedef struct ScenePicture {
     PictureJourney journeys[PICTURE_JOURNEYS];
     guint count;             /* of journeys: 1 or 2, in order of departure */
     const tdsp_jumps *jumps; /* to be marked; NULL for none */
-    double seconds;          /* how long the journeys take in a picture that moves; 0: it stands still */
+    double seconds;          /* how long the journeys take in a picture that moves; 0: it is to stand still */
 } ScenePicture;
 
-/* Does anything go anywhere? Without that a picture cannot move. */
-gboolean plot_scene_can_move(const ScenePicture *picture);
+/* When the last robot arrives; infinite when none does. */
+double plot_scene_end(const ScenePicture *picture);
+
+/* Does it move? Not where nobody goes anywhere, whatever is asked for. */
+gboolean plot_scene_moves(const ScenePicture *picture);
+
+/* The path of a journey, without legs where there is none, and what it is drawn with. */
+Route plot_scene_route(const ScenePicture *picture, guint journey);
 
 gboolean plot_scene(const ScenePicture *picture, const char *path, GError **error);
 

@@ -26,8 +26,13 @@ export class Layers {
             this.frame = 0;
             draw();
         };
-        // At once: the browser is about to paint, and would stretch the old picture.
-        this.observer = new ResizeObserver(draw);
+        /** The canvas may have another size than is known: to ask for it makes the browser lay out the page, so that is not done in every frame. */
+        this.resized = true;
+        // Drawn at once: the browser is about to paint, and would stretch the old picture.
+        this.observer = new ResizeObserver(() => {
+            this.resized = true;
+            draw();
+        });
         this.observer.observe(canvas);
     }
 
@@ -38,7 +43,10 @@ export class Layers {
 
     /** Take the size that the canvas has now. @returns {boolean} whether it is another one */
     fitSize() {
-        const width = this.canvas.clientWidth, height = this.canvas.clientHeight, ratio = globalThis.devicePixelRatio || 1;
+        const ratio = globalThis.devicePixelRatio || 1;
+        if (!this.resized && ratio === this.ratio) return false;
+        const width = this.canvas.clientWidth, height = this.canvas.clientHeight;
+        this.resized = width === 0;
         if (width === this.width && height === this.height && ratio === this.ratio) return false;
         Object.assign(this, { width, height, ratio });
         for (const canvas of [this.canvas, this.kept]) {

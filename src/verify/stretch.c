@@ -6,7 +6,7 @@
 #include "verify/curve.h"
 
 #define CHEAP_EVALUATIONS 2000
-#define MOST_EVALUATIONS 200000 /* a leg that goes around and around is judged by what is known then */
+#define MOST_EVALUATIONS 20000 /* a leg that goes around and around is judged by what is known then */
 #define MOST_HALVINGS 60
 
 typedef struct part {

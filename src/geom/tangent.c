@@ -86,12 +86,15 @@ double tangent_length(const geom_tangent *tangent, double time)
 
 geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
 {
+    const geom_disc *j = tangent->to;
     double k = tangent_k(tangent, time), reach = tangent_reach(tangent, k), w = tangent_w(tangent, time);
     double turned = tangent->side * tangent->from->theta;
     geom_leg leg = {angle, angle + turned, 0.0};
     if (fabs(w) >= reach || tangent_is_concentric(tangent, time)) {
         double normal = leg.heading - tangent->to_side * tangent->to->theta;
-        leg.length = tangent_length_of(tangent, -tangent->to_side * tangent->distance * math_sin(normal - tangent->bearing), w);
+        double along = -tangent->to_side * tangent->distance * math_sin(normal - tangent->bearing) - w;
+        int is_beside = along < -tolerance_touch(j->center, tangent->distance + disc_radius(j, time));
+        leg.length = is_beside ? TANGENT_NONE : tangent_length_of(tangent, along, 0.0);
         return leg;
     }
     leg.heading = tangent_towards(tangent, k, reach);

@@ -53,6 +53,7 @@ static tdsp_status task_push(leave_task *task, const geom_tangent *tangent, uint
     geom_leg taken = task_is_start(task) ? (geom_leg){0.0, tangent_heading(tangent, leave), tangent_length(tangent, leave)}
                                          : tangent_leg(tangent, ride_angle(motion, leave), leave);
     engine_leg leg = {task->ride, target, tangent->to_side, task->goal, leave, taken.normal, taken.heading, taken.length, 0.0};
+    if (taken.length == TANGENT_NONE) return TDSP_OK;
     double direction = wedge_direction(&task->wedge, angle_positive(leg.heading));
     if (sky_hides(&task->wedge.sky, direction, direction, leg.length)) return TDSP_OK;
     if (target != ENGINE_GOAL) {

@@ -158,6 +158,20 @@ static void a_source_where_two_discs_touch_from_inside_is_left_by_both(void **st
     assert_near(agreed_arrival(&d, 0.0), 2.641733936823384, 1e-10);
 }
 
+/* From a pebble on a boundary the rider left for a place a quarter round the disc, by a leg of no length. */
+static void a_pebble_on_a_boundary_is_no_short_cut_round_the_disc(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 0.0, {-37000.0, 0.0}, {-73421.875, -64171.875}},
+                          3,
+                          {{{-41678.630941883144, 3143.725620383434}, 5636.71875, 0.925},
+                           {{-74000.0, -74000.0}, 0.0, 0.02125},
+                           {{-36999.999999996297, 0.0}, 0.0, 0.0675}}};
+    tdsp_scene *scene = scene_of(&d);
+    assert_true(arrival_by(scene, TDSP_METHOD_AUTO, 0.0) == INFINITY);
+    tdsp_scene_free(scene);
+}
+
 /* The moment in which the destination is covered was infinite, and a search back from it not a number. */
 static void a_destination_covered_later_than_doubles_say_is_too_far(void **state)
 {
@@ -262,6 +276,7 @@ int main(void)
         cmocka_unit_test(a_source_a_hair_off_a_boundary_is_left_both_ways_round),
         cmocka_unit_test(nobody_leaves_a_vast_disc_from_behind),
         cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both),
+        cmocka_unit_test(a_pebble_on_a_boundary_is_no_short_cut_round_the_disc),
         cmocka_unit_test(a_destination_covered_later_than_doubles_say_is_too_far),
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),

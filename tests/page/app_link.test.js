@@ -8,7 +8,7 @@ const scene = { name: "two", units: { length: "m", time: "s" }, robot: { speed: 
   discs: [{ center: [0, 3], radius: 1, growth: 0.1 }, { center: [0, -3], radius: 1, growth: [0.1, 0.2] }] };
 const gallery = (name) => (name === "two-discs" ? scene : undefined);
 const after = (state, ...actions) => actions.reduce(reduce, state);
-const inGallery = () => reduce(START, { type: "open", name: "two", from: "two-discs", scene });
+const inGallery = () => reduce(START, { type: "open", name: "two-discs", from: "two-discs", scene });
 
 /** The state that a link leads to. */
 async function followed(link) {
@@ -26,7 +26,7 @@ test("the whole state comes back: edits, departure, deadline, epsilon, curve and
     { type: "speed", speed: 1.25 }, { type: "factor", factor: 0.3 }, { type: "departure", departure: 9.849623113198598 }, { type: "deadline", deadline: 30.5 },
     { type: "mode", mode: "arrival" }, { type: "epsilon", epsilon: 0.001 }, { type: "select", thing: { what: "disc", index: 1 } });
   const back = await followed(await writeLink(state));
-  for (const key of ["from", "edit", "departure", "deadline", "mode", "epsilon", "selected"]) assert.deepEqual(back[key], state[key], key);
+  for (const key of ["name", "from", "edit", "departure", "deadline", "mode", "epsilon", "selected"]) assert.deepEqual(back[key], state[key], key);
   assert.deepEqual(back.original.scene, scene);
 });
 

@@ -21,6 +21,11 @@ test("a step over the departure goes on at the pace of the way", () => {
   assert.equal(advanced(75.9, 5, span), 76);
 });
 
+test("a frame that began before playing did moves no time backwards", () => {
+  assert.equal(advanced(0, -0.004, { departure: 0, arrival: 60 }), 0);
+  assert.equal(advanced(7, -0.004, { departure: 10, arrival: 60 }), 7);
+});
+
 test("another departure leaves the robot at the same share of its way", () => {
   const playback = new Playback(() => {});
   playback.span = { departure: 10, arrival: 30 };

@@ -133,6 +133,7 @@ fi
 if [ "$tier" = page-check ]; then
     need npm has_command npm
     need chromium has_command chromium
+    need python3-jsonschema has_jsonschema
     need diffutils has_command cmp
     need ca-certificates test -e /etc/ssl/certs/ca-certificates.crt
 fi

@@ -5,8 +5,8 @@
 import { Sampler } from "tdsp/sampler.js";
 
 const QUIET = 140; // milliseconds without a change before a worker is asked
-const FRAME_BUDGET = 6; // milliseconds of a frame for samples
-const QUICK_LAST = 8; // milliseconds: a question for the last departure that takes longer goes to the worker
+const FRAME_BUDGET = 4; // milliseconds of a frame for samples
+const QUICK_LAST = 6; // milliseconds: a question for the last departure that takes longer goes to the worker
 const HORIZON_TRIPS = 4; // where no disc ends the departures, the curve ends after about so many travel times
 
 /** A round number of about this size, not below it. @param {number} value */
@@ -111,6 +111,11 @@ export class Answers {
   sweep() {
     for (const scene of this.#retired) scene.free();
     this.#retired = [];
+  }
+
+  /** Are all samples of the curve taken? */
+  get sampled() {
+    return this.#sampler === null || this.#sampler.finished;
   }
 
   /** The end of the curve: a departure. */

@@ -41,10 +41,15 @@ export function jumpKeys({ departure, travelBefore, travelAfter, size, gap }) {
   return { departure, before: travelBefore, after: travelAfter, size, first, second, time, place };
 }
 
+/** A leg with the command's keys: its arcs are also those whose rates change. */
+export function legKeys({ type, angle, sweep, ...leg }) {
+  return type === "curve" ? { type: "arc", ...leg, sweep } : { type, ...leg };
+}
+
 /** The answers as one object: {scene, path, jumps, build}; what is not known is left out. */
 export function answersJson({ name, path, jumps, last, build }) {
   const out = { scene: name };
-  if (path) out.path = { departure: path.departure, arrival: path.arrival, status: path.status, legs: path.legs };
+  if (path) out.path = { departure: path.departure, arrival: path.arrival, status: path.status, legs: path.legs.map(legKeys) };
   if (jumps) out.jumps = { status: last && last.departure < 0 ? last.reason : "ok", jumps: jumps.map(jumpKeys) };
   if (build) out.build = build;
   return JSON.stringify(out, null, 1) + "\n";

@@ -151,7 +151,7 @@ function plausible(scene) {
 export async function readLink(fragment, gallery) {
   const words = new URLSearchParams(fragment);
   const chosen = { type: "open", departure: time(words, "leave") ?? 0, deadline: time(words, "deadline"), epsilon: epsilon(words), selected: selection(words),
-    mode: words.get("show") === "arrival" ? "arrival" : "travel", name: words.get("name") ?? "", from: words.get("scene") };
+    mode: words.get("show") === "arrival" ? "arrival" : "travel", name: words.get("name") ?? words.get("scene") ?? "", from: words.get("scene") };
   if (words.has("table")) return { ...chosen, bytes: await unpack(words.get("table")) };
   if (!words.has("scene") && !words.has("whole")) return null;
   const scene = plausible(await sceneOf(words, gallery));

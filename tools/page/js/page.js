@@ -18,6 +18,8 @@ export class Page {
   #gesture = newGesture();
   #frame = 0;
   #travel = (departure) => this.answers.travel(departure);
+  /** How long all but drawing took in the last frame, in ms. */
+  lastShowMs = 0;
   /** What the views were told last. */
   shown = {};
   told = {};
@@ -147,8 +149,10 @@ export class Page {
   show() {
     if (this.#frame) return;
     this.#frame = requestAnimationFrame(() => {
+      const began = performance.now();
       this.#frame = 0;
       this.#showNow();
+      this.lastShowMs = performance.now() - began;
     });
   }
 

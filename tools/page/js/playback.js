@@ -87,8 +87,9 @@ export class Playback {
   }
 }
 
-/** The time `step` seconds on the wall after `time`. @param {number} time @param {number} step @param {{departure: number, arrival: number}} span */
-export function advanced(time, step, span) {
+/** The time `elapsed` seconds on the wall after `time`; none passes in a frame that began before playing did. @param {number} time @param {number} elapsed @param {{departure: number, arrival: number}} span */
+export function advanced(time, elapsed, span) {
+  const step = Math.max(0, elapsed);
   const next = time + step * rate(time, span);
   if (time < span.departure && next > span.departure) {
     const used = (span.departure - time) / rate(time, span);

@@ -182,7 +182,7 @@ def gaps_are_marked_from_the_moment_at_which_they_close():
     seen = moving.groups[0].find(SVG + "animate")
     moment = (closes - 5) / (report["arrival"] - 5) / REST
     expect(not shown_at(seen, moment - 1e-3) and shown_at(seen, moment + 1e-3) and shown_at(seen, 1), seen.attrib)
-    expect(any(text.text.startswith("9.8") for text in moving.groups[0].iter(SVG + "text")), "no label")
+    expect(any(text.text.startswith("closes at 20.15") for text in moving.groups[0].iter(SVG + "text")), "no label")
     early, _, _ = animated("scene.json", "--depart", 0, "--to=-9,0", "--jumps")
     for group in early.groups:
         expect(not shown_at(group.find(SVG + "animate"), 1), "a gap that closes after the arrival is marked")

@@ -24,9 +24,10 @@ enum {
     PLOT_DISC_OUTLINE = 0xc98b00, /* its edge then */
     PLOT_PATH = 0x0072b2,         /* blue */
     PLOT_PATH_TINT = 0x9fcbe6,
-    PLOT_BESIDE = 0xa6397f, /* reddish purple, darkened: the second journey of a picture */
-    PLOT_BESIDE_TINT = 0xe3b8d2,
-    PLOT_ALARM = 0xd55e00, /* vermilion: jumps, the end */
+    PLOT_BESIDE = 0x9a4f80, /* reddish purple, darkened: the second journey of a picture */
+    PLOT_BESIDE_TINT = 0xdcbdd0,
+    PLOT_ALARM = 0xd55e00,      /* vermilion: jumps, the end */
+    PLOT_ALARM_TEXT = 0xb24a00, /* words about them: darker, to be read on white */
 };
 
 #define PLOT_TEXT 13.0 /* size of ordinary text */

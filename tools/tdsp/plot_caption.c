@@ -108,8 +108,9 @@ double plot_caption_legend(Canvas *canvas, const Frame *frame, const ScenePictur
         legend_path(&legend, picture, step);
     legend_ridden(&legend, picture);
     if (tdsp_jumps_count(picture->jumps) == 0) return legend.y;
-    double x = legend_item(&legend, 12, "gap that closes, and the last departure through it");
-    plot_gap_mark(canvas, x + 6, legend.y);
+    gboolean moves = plot_scene_moves(picture);
+    double x = legend_item(&legend, 26, moves ? "gap that closes" : "gap that closes, and the last departure through it");
+    plot_gap_mark(canvas, x + 13, legend.y, 0, moves);
     return legend.y;
 }
 

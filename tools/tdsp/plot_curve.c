@@ -122,7 +122,7 @@ static void draw_band(const Curve *curve, Canvas *canvas)
 static void draw_last_departure(const Curve *curve, Canvas *canvas, Labels *labels)
 {
     const Pen pen = {PLOT_ALARM, 1.2, FALSE, 5, 4};
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM, 0.5, 0, TRUE};
+    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM_TEXT, 0.5, 0, TRUE};
     double x = frame_x(&curve->frame, curve->info.last_departure);
     canvas_move_to(canvas, x, curve->frame.top);
     canvas_line_to(canvas, x, curve->frame.top + curve->frame.height);
@@ -239,7 +239,7 @@ gboolean plot_curve(const tdsp_table *table, const char *name, const double *dep
     const Axis x = {"departure", curve.info.time_unit, 1}, y = {"travel time", curve.info.time_unit, 1};
     g_autoptr(Canvas) canvas = canvas_new(path, WIDTH, HEIGHT, NULL, error);
     if (!canvas) return FALSE;
-    frame_draw_grid(canvas, &curve.frame);
+    frame_draw_grid(canvas, &curve.frame, &x);
     frame_clip(canvas, &curve.frame);
     g_auto(Labels) labels = labels_new(&curve.frame);
     draw_last_departure(&curve, canvas, &labels);

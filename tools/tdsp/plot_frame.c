@@ -66,21 +66,21 @@ static Ticks ticks_of(double low, double high, double points, double spacing)
     return frame_ticks(low, high, frame_nice_step(high - low, fmax(2, points / spacing)));
 }
 
-static double widest_number(const Canvas *canvas, const Ticks *ticks)
+static double widest_number(const Canvas *canvas, const Ticks *ticks, const Axis *axis)
 {
     double widest = 0;
     for (guint i = 0; i < ticks->count; i++) {
-        g_autofree char *number = frame_number(frame_tick(ticks, i));
+        g_autofree char *number = frame_number(frame_tick(ticks, i) / axis->divisor);
         widest = fmax(widest, canvas_text_width(canvas, &number_style, number));
     }
     return widest;
 }
 
-/* So far apart that the numbers have room beside each other, if need be with a larger unit than the axis has. */
-static Ticks ticks_x(const Canvas *canvas, const Frame *frame)
+/* So far apart that the numbers have room beside each other. */
+static Ticks ticks_x(const Canvas *canvas, const Frame *frame, const Axis *axis)
 {
     Ticks ticks = ticks_of(frame->x_low, frame->x_high, frame->width, TICK_SPACING);
-    double spacing = widest_number(canvas, &ticks) + LEAST_BETWEEN;
+    double spacing = widest_number(canvas, &ticks, axis) + LEAST_BETWEEN;
     if (ticks.step / (frame->x_high - frame->x_low) * frame->width >= spacing) return ticks;
     return ticks_of(frame->x_low, frame->x_high, frame->width, 2 * spacing);
 }
@@ -98,9 +98,9 @@ static void line(Canvas *canvas, double x0, double y0, double x1, double y1)
     canvas_line_to(canvas, x1, y1);
 }
 
-void frame_draw_grid(Canvas *canvas, const Frame *frame)
+void frame_draw_grid(Canvas *canvas, const Frame *frame, const Axis *axis)
 {
-    Ticks x = ticks_x(canvas, frame), y = ticks_y(frame);
+    Ticks x = ticks_x(canvas, frame, axis), y = ticks_y(frame);
     for (guint i = 0; i < x.count; i++) {
         double at = frame_x(frame, frame_tick(&x, i));
         line(canvas, at, frame->top, at, frame->top + frame->height);
@@ -114,7 +114,7 @@ void frame_draw_grid(Canvas *canvas, const Frame *frame)
 
 static void draw_ticks_x(Canvas *canvas, const Frame *frame, const Axis *axis)
 {
-    Ticks ticks = ticks_x(canvas, frame);
+    Ticks ticks = ticks_x(canvas, frame, axis);
     double bottom = frame->top + frame->height;
     for (guint i = 0; i < ticks.count; i++) {
         double x = frame_x(frame, frame_tick(&ticks, i));

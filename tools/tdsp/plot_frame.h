@@ -43,7 +43,7 @@ typedef struct Axis {
 char *frame_axis_title(const Axis *axis);
 
 /* Lines at the ticks, to lie under everything. */
-void frame_draw_grid(Canvas *canvas, const Frame *frame);
+void frame_draw_grid(Canvas *canvas, const Frame *frame, const Axis *x);
 /* The border, the ticks' numbers and the axes' titles. */
 void frame_draw_axes(Canvas *canvas, const Frame *frame, const Axis *x, const Axis *y);
 /* Keep what is drawn next inside, until canvas_unclip(). */

@@ -64,7 +64,7 @@ static int larger_first(gconstpointer one, gconstpointer other)
 
 static void label_jump(Canvas *canvas, const Frame *frame, const tdsp_jump *jump, const char *unit, Labels *labels)
 {
-    const TextStyle style = {PLOT_TEXT - 1, FALSE, PLOT_ALARM, 0, 0, TRUE};
+    const TextStyle style = {PLOT_TEXT - 1, FALSE, PLOT_ALARM_TEXT, 0, 0, TRUE};
     g_autofree char *departure = frame_with_unit(jump->departure, 6, unit);
     g_autofree char *discs = shape_gap_discs(&jump->gap);
     g_autofree char *text = jump->gap.first == TDSP_NO_DISC

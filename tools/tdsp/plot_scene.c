@@ -104,7 +104,7 @@ static double draw_journeys(Canvas *canvas, const Frame *frame, const ScenePictu
     for (guint i = count; i-- > 0;) plot_route_ridden(canvas, frame, &routes[i]);
     for (guint i = count; i-- > 0;) plot_route_draw(canvas, frame, &routes[i], &labels);
     label_ends(canvas, frame, tdsp_scene_journey(picture->scene->scene), &labels);
-    plot_gaps(canvas, frame, picture->jumps, picture->scene->time_unit, &labels);
+    plot_gaps(canvas, frame, picture->scene, picture->jumps, &labels);
     for (guint i = 0; i < count; i++) step = plot_route_times(canvas, frame, &routes[i], &labels);
     if (!canvas_timeline(canvas)) return step;
     canvas_layer_begin(canvas, LAYER_MOVING);
@@ -130,7 +130,7 @@ gboolean plot_scene(const ScenePicture *picture, const char *path, GError **erro
     if (!plot_caption_measure(&frame, picture, width, &below, error)) return FALSE;
     g_autoptr(Canvas) canvas = canvas_new(path, width, legend + below + BELOW_LEGEND, plot_scene_moves(picture) ? &timeline : NULL, error);
     if (!canvas) return FALSE;
-    frame_draw_grid(canvas, &frame);
+    frame_draw_grid(canvas, &frame, &x);
     frame_clip(canvas, &frame);
     draw_discs(canvas, &frame, picture);
     double step = draw_journeys(canvas, &frame, picture);

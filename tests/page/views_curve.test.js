@@ -137,7 +137,8 @@ test("every reason of a scene that ends departures has words", () => {
 
 test("the picture as a file is whole XML with all parts", () => {
     const svg = curveSvg(stateOf({ departure: 1000, deadline: 8000, leaveBy: 2229.05 }), { width: 1000, height: 600, title: "Travel time" });
-    for (const part of ["grid", "certified", "last-departure", "deadline", "curve", "jumps", "axes", "legend", "departure", "labels", "slider"]) assert.match(svg, new RegExp(`<g class="${part}">`));
+    for (const part of ["grid", "certified", "last-departure", "deadline", "curve", "jumps", "axes", "legend", "departure", "labels"]) assert.match(svg, new RegExp(`<g class="${part}">`));
+    assert.doesNotMatch(svg, /class="slider"/);
     assert.match(svg, />52\.5001 s: discs 2 and 3 close</);
     assert.match(svg, />leave by 2229\.05 s</);
     assert.equal(svg.match(/<g[ >]/g).length, svg.match(/<\/g>/g).length);

@@ -35,6 +35,7 @@ import { withUnit } from "tdsp/numbers.js";
  * @property {string} message where there is no curve: why
  * @property {boolean} legend
  * @property {number} head pixels kept free above, for a title
+ * @property {boolean} still a picture without a slider
  * @property {boolean} grabbed the slider is held
  * @property {boolean} focused the slider has the keyboard
  */
@@ -308,5 +309,5 @@ export function drawCurveLive(pen, state, { frame }, layout) {
     drawDepartureLine(pen, state, frame, labels);
     drawLabels(pen, state, frame, layout, labels);
     pen.unclip();
-    drawKnob(pen, state, frame);
+    if (!state.still) drawKnob(pen, state, frame);
 }

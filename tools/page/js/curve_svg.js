@@ -14,7 +14,7 @@ export function blankCurve(palette) {
     const curve = curveOf(null, [], null);
     return {
         curve, stored: false, rows: null, jumps: [], last: null, travel: () => NaN, departure: null, hover: null, deadline: null, leaveBy: null, mode: "travel", units: { time: "" },
-        window: curveWindow(curve, null, "travel", null), palette, message: "", legend: true, head: 0, grabbed: false, focused: false,
+        window: curveWindow(curve, null, "travel", null), palette, message: "", legend: true, head: 0, still: false, grabbed: false, focused: false,
     };
 }
 
@@ -27,7 +27,7 @@ export function blankCurve(palette) {
 export function curveSvg(state, page, measure = guessedWidth) {
     const pen = new SvgPen(measure), title = page.title ?? (state.mode === "arrival" ? "Earliest arrival" : "Travel time");
     /** @type {CurveState} */
-    const still = { ...state, palette: page.palette ?? state.palette, hover: null, grabbed: false, focused: false, head: 58 };
+    const still = { ...state, palette: page.palette ?? state.palette, hover: null, still: true, head: 58 };
     const arrangement = arrangeCurve(still, page.width, page.height, measure), layout = layoutCurve(still, arrangement, measure);
     pen.part("title");
     pen.text(arrangement.frame.left, 30, title, { size: 18, bold: true, colour: still.palette.ink });

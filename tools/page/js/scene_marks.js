@@ -4,7 +4,6 @@
  * its colour alone: the source is full, the destination a ring; a gap that is open is two triangles facing each other, one that is
  * closed has them touch.
  */
-import { niceStep } from "tdsp/axes.js";
 import { number } from "tdsp/numbers.js";
 
 /** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
@@ -93,6 +92,7 @@ export function outlineTick(pen, x, y, ux, uy) {
 }
 
 const HANDLE = 4;
+const LONGER = 1.3; // times as long as asked for, at most
 
 /** Something to hold a disc by: its centre, and four places of its rim. @param {Pen} pen @param {Palette} palette */
 export function drawHandles(pen, palette, x, y, radius) {
@@ -107,14 +107,14 @@ export function drawHandles(pen, palette, x, y, radius) {
 }
 
 /**
- * How long a scale bar is.
+ * How long a scale bar is: 1, 2 or 5 of a power of ten.
  * @param {number} scale pixels for a unit of length
  * @param {import("tdsp/axes.js").Axis} axis
  * @param {number} pixels about as long as it may be
  */
 export function scaleBar(scale, axis, pixels) {
-    let step = niceStep(pixels / scale, 1);
-    while (step * scale > pixels * 1.4) step /= 2;
+    const most = (LONGER * pixels) / scale, power = 10 ** Math.floor(Math.log10(most));
+    const step = power * ([5, 2].find((digit) => digit * power <= most) ?? 1);
     const shown = step / axis.divisor;
     return { pixels: step * scale, text: axis.unit ? `${number(shown)} ${axis.unit}` : number(shown) };
 }

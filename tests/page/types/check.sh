@@ -1,6 +1,6 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
-# The page's types, strictly in what others may use (the core and its workers): check.sh BUILD. TypeScript comes from npm, below the build directory, as the lock file says.
+# The page's types, strictly in what others may use, the core and its workers: check.sh BUILD. TypeScript comes from npm, below the build directory, as the lock file says.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -15,6 +15,7 @@ check() {
     if "$work/node_modules/.bin/tsc" -p "$1" >"$work/log" 2>&1; then echo "ok types: $2"; else sed 's/^/    /' "$work/log"; echo "not ok types: $2"; fi
 }
 check "$here/tsconfig.json" "the core and its workers, strictly"
+check "$here/page.json" "all modules of the page"
 # A check that finds nothing must be able to find something.
 printf 'import { loadCore } from "%s";\n(await loadCore(new Uint8Array())).scene({}).arrival("soon");\n' "$here/../../../tools/page/js/core.js" >"$work/wrong.mjs"
 found=$("$work/node_modules/.bin/tsc" --allowJs --checkJs --strict --noEmit --target ES2022 --module NodeNext --lib ES2022,DOM "$work/wrong.mjs" | grep -c 'wrong.mjs' || true)

@@ -59,9 +59,10 @@ function describe(title, words, credit) {
   byId("credit").hidden = !credit;
 }
 
-/** @returns {boolean} whether the link led somewhere */
+/** @returns {Promise<boolean>} whether the link led somewhere */
 async function openLink(page, strip, show) {
   try {
+    /** @type {any} of state.js */
     const action = await readLink(location.hash.slice(1), (name) => strip.find(name)?.scene);
     if (!action) return false;
     const entry = action.from ? strip.find(action.from) : null;
@@ -167,7 +168,8 @@ function bindKeys(page, show) {
     undo: () => store.dispatch({ type: "undo" }),
     redo: () => store.dispatch({ type: "redo" }),
   });
-  for (const [id, act] of [["zoom-in", () => page.scene.zoom(1.25)], ["zoom-out", () => page.scene.zoom(0.8)], ["zoom-fit", () => page.scene.fit()]]) byId(id).addEventListener("click", act);
+  const zooms = { "zoom-in": () => page.scene.zoom(1.25), "zoom-out": () => page.scene.zoom(0.8), "zoom-fit": () => page.scene.fit() };
+  for (const [id, act] of Object.entries(zooms)) byId(id).addEventListener("click", act);
 }
 
 addEventListener("unhandledrejection", (event) => unexpected(event.reason));

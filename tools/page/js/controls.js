@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The inputs of the page and the state, in both directions. An input never holds anything of its own: it shows the state, and asks for another one.
-import { byId, setValue, tell } from "tdsp/dom.js";
+import { all, byId, setValue, tell } from "tdsp/dom.js";
 import { number } from "tdsp/numbers.js";
 import { isEdited, placeOf } from "tdsp/state.js";
 import { buildWords, percentWords } from "tdsp/words.js";
@@ -31,7 +31,7 @@ function onNumber(input, act) {
 const logOf = (ratio) => Math.log(ratio) / Math.log(SPEED_RANGE);
 
 export class Controls {
-  /** @param {import("tdsp/state.js").Store} store @param {{tryEdit: (action: any) => string|null}} page tryEdit: the sentence why an edit cannot be, or null when done */
+  /** @param {import("tdsp/state.js").Store} store @param {{tryEdit: (action: any) => string|null, addDisc: () => void}} page tryEdit: the sentence why an edit cannot be, or null when done */
   constructor(store, page) {
     this.store = store;
     this.page = page;
@@ -50,7 +50,7 @@ export class Controls {
     onSlide(byId("deadline"), arrive);
     onNumber(byId("deadline-number"), arrive);
     byId("deadline-on").addEventListener("change", (event) => arrive(event.target.checked ? middle(byId("deadline")) : null));
-    for (const radio of document.querySelectorAll('input[name="mode"]')) radio.addEventListener("change", () => store.dispatch({ type: "mode", mode: radio.value }));
+    for (const radio of all('input[name="mode"]')) radio.addEventListener("change", () => store.dispatch({ type: "mode", mode: radio.value }));
   }
 
   #bindWhatIf() {
@@ -115,7 +115,7 @@ export class Controls {
     byId("epsilon").disabled = scene === null;
     setValue(byId("epsilon"), Math.log10(state.epsilon));
     byId("epsilon-value").textContent = percentWords(state.epsilon);
-    for (const radio of document.querySelectorAll('input[name="mode"]')) radio.checked = radio.value === state.mode;
+    for (const radio of all('input[name="mode"]')) radio.checked = radio.value === state.mode;
     if (!scene) return;
     setValue(byId("speed"), logOf(scene.robot.speed / state.original.scene.robot.speed));
     setValue(byId("speed-number"), scene.robot.speed);
@@ -157,15 +157,15 @@ export class Controls {
     byId("deadline-on").checked = deadline !== null;
     for (const id of ["deadline", "deadline-number"]) byId(id).disabled = deadline === null;
     const words = { time: units.time, speed: units.length && units.time ? `${units.length}/${units.time}` : "" };
-    for (const span of document.querySelectorAll("[data-unit]")) span.textContent = words[span.dataset.unit];
+    for (const span of all("[data-unit]")) span.textContent = words[span.dataset.unit];
   }
 
-  /** What is known of the table. @param {{built: any, problem: string|null, epsilon: number, none: string|null, stale: boolean}} table */
+  /** What is known of the table. @param {{built: any, problem: string|null, none: string|null, stale: boolean}} table */
   showTable({ built, problem, none, stale }) {
     const facts = byId("table-facts");
     facts.classList.toggle("stale", stale);
     byId("copy-command").disabled = !built || stale;
-    for (const button of document.querySelectorAll('[data-save="table"]')) button.disabled = (!built || stale) && !this.store.state.bytes;
+    for (const button of all('[data-save="table"]')) button.disabled = (!built || stale) && !this.store.state.bytes;
     if (none ?? problem) facts.textContent = none ?? problem;
     else if (built) showFacts(facts, buildWords(built.report, built.seconds));
     else facts.textContent = "computing…";

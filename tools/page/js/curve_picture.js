@@ -143,7 +143,7 @@ function drawJumps(pen, state, frame) {
     }
 }
 
-/** @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
+/** @param {Pen} pen @param {CurveState} state @param {CurveLayout["frame"]} frame @param {CurveLayout} layout */
 function drawLast(pen, state, frame, { last }) {
     if (!last) return;
     pen.part("last-departure");

@@ -8,6 +8,9 @@ export function byId(id) {
   return found;
 }
 
+/** The elements that a selector finds. @param {string} selector @returns {NodeListOf<any>} */
+export const all = (selector) => document.querySelectorAll(selector);
+
 /** @param {string} tag @param {Record<string, any>} [properties] @param {(Node|string)[]} [children] */
 export function element(tag, properties = {}, children = []) {
   const made = document.createElement(tag);

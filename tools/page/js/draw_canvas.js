@@ -37,7 +37,7 @@ export class CanvasPen {
     /** @param {CanvasRenderingContext2D | OffscreenCanvasRenderingContext2D} context scaled to CSS pixels */
     constructor(context) {
         this.context = context;
-        /** @type {Map<string, string>} */
+        /** @type {Map<number, string>} by size, negative where bold */
         this.fonts = new Map();
         /** Every outline is filled as it is closed. */
         this.singly = false;

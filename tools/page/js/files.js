@@ -64,7 +64,7 @@ export function sceneText(scene) {
 
 /** Have the browser save `content` as a file. @param {string} name @param {string|Uint8Array|Blob} content @param {string} type */
 export function save(name, content, type) {
-  const blob = content instanceof Blob ? content : new Blob([content], { type });
+  const blob = content instanceof Blob ? content : new Blob([/** @type {BlobPart} */ (content)], { type });
   const link = document.createElement("a");
   link.href = URL.createObjectURL(blob);
   link.download = name;

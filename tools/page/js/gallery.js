@@ -12,6 +12,7 @@ export class Gallery {
   constructor(entries, core, open) {
     this.entries = entries;
     this.core = core;
+    /** @type {any[]} canvases */
     this.pictures = entries.map(() => element("canvas", { width: 240, height: 120, "aria-hidden": "true" }));
     this.buttons = entries.map((entry, i) => element("button", { type: "button", onclick: () => open(entry) }, [this.pictures[i], element("span", { textContent: entry.title })]));
     byId("gallery").replaceChildren(...this.buttons.map((button) => element("li", {}, [button])));

@@ -8,7 +8,8 @@ const path = (levels) => levels.map(({ key }, i) => (typeof key === "number" ? `
 /** Where the value at each place begins. @param {string} text @returns {Map<string, number>} */
 function places(text) {
   const found = new Map();
-  const levels = []; // the containers around: {object, key, wantsKey}
+  /** @type {{object: boolean, key: any, wantsKey: boolean}[]} the containers around */
+  const levels = [];
   for (const { 0: token, index } of text.matchAll(TOKEN)) {
     const level = levels.at(-1);
     if (token === "}" || token === "]") levels.pop();

@@ -100,6 +100,7 @@ export class Page {
     this.store.dispatch({ type: "select", thing: { what: "disc", index: discs.length } });
   }
 
+  /** @param {import("tdsp/scene_view.js").Drag} drag */
   #drag({ what, index, place, radius }) {
     const { store } = this;
     if (!store.state.edit) return;

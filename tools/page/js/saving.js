@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The menu that saves: one function for each kind of file.
-import { byId } from "tdsp/dom.js";
+import { all, byId } from "tdsp/dom.js";
 import { answersJson, buildKeys, curveCsv, pathCsv, stackPng, stackSvg } from "tdsp/export.js";
 import { save, sceneText } from "tdsp/files.js";
 import { effectiveScene } from "tdsp/state.js";
@@ -9,7 +9,7 @@ export class Saving {
   /** @param {import("tdsp/page.js").Page} page */
   constructor(page) {
     this.page = page;
-    for (const button of document.querySelectorAll("[data-save]")) {
+    for (const button of all("[data-save]")) {
       button.addEventListener("click", () => {
         byId("save-menu").open = false;
         this[button.dataset.save]();
@@ -68,7 +68,7 @@ export class Saving {
   show() {
     const { found, table } = this.page.answers;
     const there = { scene: this.page.store.state.edit !== null, curve: found.samples !== null || table !== null, path: (found.path?.legs.length ?? 0) > 0 };
-    for (const [kind, can] of Object.entries(there)) for (const button of document.querySelectorAll(`[data-save="${kind}"]`)) button.disabled = !can;
+    for (const [kind, can] of Object.entries(there)) for (const button of all(`[data-save="${kind}"]`)) button.disabled = !can;
   }
 }
 

@@ -119,6 +119,7 @@ function addPath(state, labels) {
 function placeEnds(state, labels) {
     const { projection, palette, description } = state;
     const style = { size: TEXT, bold: true, colour: palette.pathText, halo: palette.paper };
+    /** @type {[string, [number, number]][]} */
     const places = [["source", description.source], ["destination", description.destination]];
     for (const [, place] of places) labels.addMark(projection.x(place[0]), projection.y(place[1]), END_RADIUS + 2);
     for (const [word, place] of places) {

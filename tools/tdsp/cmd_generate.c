@@ -5,6 +5,7 @@
 #include "generate.h"
 #include "json_out.h"
 #include "numbers.h"
+#include "scene_description.h"
 
 typedef struct Wanted {
     gboolean json;
@@ -49,34 +50,19 @@ static gboolean parse_wanted(Wanted *wanted, const char *kind, GError **error)
     return parse_growth(wanted, error);
 }
 
-static void write_disc(JsonOut *out, const tdsp_disc *disc)
+/* As it is written down; takes the name over. */
+static SceneDescription description_of(const Generated *scene, char *name)
 {
-    json_out_line(out);
-    json_out_begin(out, '{');
-    json_out_member_point(out, "center", disc->center);
-    json_out_member_number(out, "radius", disc->radius);
-    json_out_member_number(out, "growth", disc->growth);
-    json_out_end(out, '}');
-}
-
-static void write_scene(JsonOut *out, const char *name, const Generated *scene)
-{
-    json_out_begin(out, '{');
-    json_out_member_string(out, "name", name);
-    json_out_line(out);
-    json_out_key(out, "robot");
-    json_out_begin(out, '{');
-    json_out_member_number(out, "speed", scene->journey.speed);
-    json_out_end(out, '}');
-    json_out_line(out);
-    json_out_member_point(out, "source", scene->journey.source);
-    json_out_member_point(out, "destination", scene->journey.destination);
-    json_out_line(out);
-    json_out_key(out, "discs");
-    json_out_begin(out, '[');
-    for (guint i = 0; i < scene->discs->len; i++) write_disc(out, &g_array_index(scene->discs, tdsp_disc, i));
-    json_out_end(out, ']');
-    json_out_end(out, '}');
+    SceneDescription description = scene_description_new();
+    g_free(description.name);
+    description.name = name;
+    description.journey = scene->journey;
+    for (guint i = 0; i < scene->discs->len; i++) {
+        const tdsp_disc *disc = &g_array_index(scene->discs, tdsp_disc, i);
+        tdsp_growing_disc growing = {disc->center, disc->radius, {.kind = TDSP_GROWTH_RATE, .rate = disc->growth}};
+        g_array_append_val(description.discs, growing);
+    }
+    return description;
 }
 
 static gboolean report(const Wanted *wanted, guint discs, GError **error)
@@ -100,9 +86,10 @@ static gboolean generate(const Wanted *wanted, GError **error)
     Generated scene = {.discs = g_array_new(FALSE, FALSE, sizeof(tdsp_disc))};
     wanted->kind->make(&wanted->options, &scene);
     guint discs = scene.discs->len;
-    g_autofree char *name = g_strdup_printf("%s-n%u-seed%" G_GUINT64_FORMAT, wanted->kind->name, discs, wanted->options.seed);
-    write_scene(&out, name, &scene);
+    g_auto(SceneDescription) description =
+        description_of(&scene, g_strdup_printf("%s-n%u-seed%" G_GUINT64_FORMAT, wanted->kind->name, discs, wanted->options.seed));
     g_array_unref(scene.discs);
+    scene_description_write(&description, &out);
     if (!wanted->output) return json_out_print(&out, error);
     g_string_append_c(out.text, '\n');
     return file_out_write(wanted->output, out.text->str, out.text->len, error) && report(wanted, discs, error);

@@ -57,7 +57,7 @@ static GArray *choose_path(const SceneSolver *solver, const GivenPath *given, do
     if (!given->is_given) {
         double arrival;
         if (!scene_solver_arrival(solver, departure, &arrival, status, error)) return NULL;
-        return *status == TDSP_OK ? scene_solver_path(solver->solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
+        return scene_solver_path_if(solver->solver, *status, error);
     }
     if (given->file.kind != FILE_TABLE) return moved_path(&given->path, departure);
     TablePath row;

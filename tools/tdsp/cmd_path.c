@@ -38,12 +38,9 @@ static gboolean solve(const SceneSolver *solver, Path *path, GError **error)
 
 static gboolean from_scene(const FileIn *file, Path *path, GError **error)
 {
-    SceneFile scene;
     g_auto(SceneSolver) solver = {0};
-    if (!scene_file_parse_between(cli_file_name(file->path), file->text, file->length, path->ends, &scene, error) ||
-        !scene_solver_take(&scene, &solver, error) || !solve(&solver, path, error))
-        return FALSE;
-    path->legs = path->status == TDSP_OK ? scene_solver_path(solver.solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
+    if (!scene_solver_parse(file, path->ends, &solver, error) || !solve(&solver, path, error)) return FALSE;
+    path->legs = scene_solver_path_if(solver.solver, path->status, error);
     return path->legs != NULL;
 }
 

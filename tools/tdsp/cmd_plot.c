@@ -59,7 +59,7 @@ static gboolean solve(const SceneSolver *solver, double departure, PictureJourne
 {
     PictureJourney solved = {.departure = departure};
     if (!scene_solver_arrival(solver, departure, &solved.arrival, &solved.status, error)) return FALSE;
-    solved.legs = solved.status == TDSP_OK ? scene_solver_path(solver->solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
+    solved.legs = scene_solver_path_if(solver->solver, solved.status, error);
     *journey = solved;
     return solved.legs != NULL;
 }
@@ -78,12 +78,9 @@ static gboolean draw_picture(const SceneSolver *solver, const Wanted *wanted, Sc
 
 static gboolean draw_scene(const FileIn *file, const Wanted *wanted, Drawn *drawn, GError **error)
 {
-    SceneFile scene;
     g_auto(SceneSolver) solver = {0};
     ScenePicture picture = {.scene = &solver.file, .count = wanted->beside_text ? 2 : 1};
-    if (!scene_file_parse_between(cli_file_name(file->path), file->text, file->length, &wanted->ends, &scene, error) ||
-        !scene_solver_take(&scene, &solver, error))
-        return FALSE;
+    if (!scene_solver_parse(file, &wanted->ends, &solver, error)) return FALSE;
     gboolean done = solve(&solver, wanted->departure, &picture.journeys[0], error) &&
                     (picture.count < 2 || solve(&solver, wanted->beside, &picture.journeys[1], error)) &&
                     draw_picture(&solver, wanted, &picture, drawn, error);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The page is the same file for everybody, build/page/index.html (docs/page.md). What it is to show stands as JSON in one element of it, which holds `null` as it is made: nothing else of the page
- * is touched. In JSON a "<" can only be in a string, so that written as \u003c nothing there ends the element.
+ * The page is the same file for everybody. What it is to show stands as JSON in one element of it, which holds `null` as it is made: nothing else of the
+ * page is touched. In JSON a "<" can only be in a string, so that written as \u003c nothing there ends the element.
  */
 #include "page.h"
 

@@ -33,6 +33,13 @@ gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error)
     return take_for(file, TDSP_METHOD_AUTO, out, error);
 }
 
+gboolean scene_solver_parse(const FileIn *file, const SceneEnds *ends, SceneSolver *out, GError **error)
+{
+    SceneFile scene;
+    return scene_file_parse_between(cli_file_name(file->path), file->text, file->length, ends, &scene, error) &&
+           scene_solver_take(&scene, out, error);
+}
+
 gboolean scene_solver_load_for(const char *path, const SceneEnds *ends, tdsp_method method, SceneSolver *out, GError **error)
 {
     SceneFile file;
@@ -65,6 +72,11 @@ GArray *scene_solver_path(const tdsp_solver *solver, GError **error)
     g_array_unref(legs);
     cli_fail_status(error, "path", status);
     return NULL;
+}
+
+GArray *scene_solver_path_if(const tdsp_solver *solver, tdsp_status status, GError **error)
+{
+    return status == TDSP_OK ? scene_solver_path(solver, error) : g_array_new(FALSE, TRUE, sizeof(tdsp_leg));
 }
 
 gboolean scene_solver_fail(const SceneSolver *solver, tdsp_status status, GError **error)

@@ -15,6 +15,8 @@ typedef struct SceneSolver {
 gboolean scene_solver_load(const char *path, SceneSolver *out, GError **error);
 /* The same between other ends (NULL: its own) and with a method; one that does not apply to the scene is a usage error. */
 gboolean scene_solver_load_for(const char *path, const SceneEnds *ends, tdsp_method method, SceneSolver *out, GError **error);
+/* The same for a file that was loaded already. */
+gboolean scene_solver_parse(const FileIn *file, const SceneEnds *ends, SceneSolver *out, GError **error);
 /* Make a solver for a scene file that was read; takes the file over. */
 gboolean scene_solver_take(SceneFile *file, SceneSolver *out, GError **error);
 void scene_solver_clear(SceneSolver *solver);
@@ -22,6 +24,8 @@ G_DEFINE_AUTO_CLEANUP_CLEAR_FUNC(SceneSolver, scene_solver_clear)
 
 /* The legs of the solver's last answer (of tdsp_leg). NULL on failure. */
 GArray *scene_solver_path(const tdsp_solver *solver, GError **error);
+/* The same for an answer of that status: no legs where it is that there is no path. */
+GArray *scene_solver_path_if(const tdsp_solver *solver, tdsp_status status, GError **error);
 
 /* Turn the solver's status that is no answer into an error. Returns FALSE. */
 gboolean scene_solver_fail(const SceneSolver *solver, tdsp_status status, GError **error);

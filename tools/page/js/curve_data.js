@@ -8,7 +8,7 @@
 /** @typedef {{first: number, second: number, time: number, place: [number, number]}} Gap */
 /** @typedef {{departure: number, travelBefore: number, travelAfter: number, size?: number, gap?: Gap|null}} Jump */
 /** @typedef {{times: ArrayLike<number>, arrivals: ArrayLike<number>}} Samples arrivals: NaN where there is none */
-/** @typedef {{departure: number, arrival?: number|null, reason?: string, disc?: number|null, other?: number|null, time?: number, place?: [number, number]|null}} Last */
+/** @typedef {{departure: number, arrival?: number|null, reason?: string}} Last the core's last(), or as much of it as is known */
 /** @typedef {{departures: ArrayLike<number>, left: ArrayLike<number>, right: ArrayLike<number>}} Rows as the core's Table.rows() gives them */
 
 /**

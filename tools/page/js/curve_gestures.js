@@ -21,7 +21,8 @@ export class CurveGestures {
         this.held = null;
         this.pointer = -1;
         this.listeners = new AbortController();
-        for (const kind of ["down", "move", "up", "cancel", "leave"]) element.addEventListener(`pointer${kind}`, (event) => this[kind](event), { signal: this.listeners.signal });
+        const { signal } = this.listeners;
+        for (const kind of ["down", "move", "up", "cancel", "leave"]) element.addEventListener(`pointer${kind}`, (event) => this[kind](event), { signal });
         element.style.touchAction = "pan-y pinch-zoom";
     }
 

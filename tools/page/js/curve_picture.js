@@ -128,7 +128,7 @@ function drawJumpEnd(pen, palette, at, filled) {
 /** T is continuous from the left: the lower end belongs to the curve, the upper one does not. @param {Pen} pen @param {CurveState} state */
 function drawJumps(pen, state, frame) {
     if (state.jumps.length === 0) return;
-    const ends = state.jumps.map((jump) => [placeOf(state, frame, jump.departure, jump.travelBefore), placeOf(state, frame, jump.departure, jump.travelAfter)]);
+    const ends = state.jumps.map((jump) => [jump.travelBefore, jump.travelAfter].map((travel) => placeOf(state, frame, jump.departure, travel)));
     pen.part("jumps");
     pen.begin();
     for (const [low, high] of ends) {
@@ -211,14 +211,16 @@ export function drawCurveGround(pen, state, arrangement, layout) {
 /** @param {Pen} pen @param {CurveState} state */
 function drawMessage(pen, state, frame) {
     if (!state.message || state.curve.count > 0) return;
-    pen.text(frame.left + frame.width / 2, frame.top + frame.height / 2, state.message, { size: TEXT, colour: state.palette.ink, across: 0.5, up: 0.5, halo: state.palette.paper });
+    const style = { size: TEXT, colour: state.palette.ink, across: 0.5, up: 0.5, halo: state.palette.paper };
+    pen.text(frame.left + frame.width / 2, frame.top + frame.height / 2, state.message, style);
 }
 
 /** "leave at 52.5 s: 4498 s on the way", or when it arrives. @param {CurveState} state */
 export function momentText(state, departure, travel) {
     const unit = state.units.time, leave = withUnit(departure, unit, 6);
     if (Number.isNaN(travel)) return `leave at ${leave}: no way`;
-    return state.mode === "arrival" ? `leave at ${leave}, arrive at ${withUnit(departure + travel, unit, 6)}` : `leave at ${leave}: takes ${withUnit(travel, unit, 6)}`;
+    if (state.mode === "arrival") return `leave at ${leave}, arrive at ${withUnit(departure + travel, unit, 6)}`;
+    return `leave at ${leave}: takes ${withUnit(travel, unit, 6)}`;
 }
 
 /** A place on the curve. @param {Pen} pen @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
@@ -272,12 +274,13 @@ function placeMoment(state, frame, labels, marks, departure, style) {
 function drawLabels(pen, state, frame, layout, labels) {
     const { palette } = state, marks = labels.copy(), moments = [];
     marks.boxes = layout.last?.box ? [layout.last.box] : [];
-    if (state.departure !== null) moments.push(placeMoment(state, frame, labels, marks, state.departure, { size: TEXT, bold: true, colour: palette.pathText, halo: palette.paper }));
+    const chosen = { size: TEXT, bold: true, colour: palette.pathText, halo: palette.paper }, pointed = { size: TEXT, colour: palette.otherText, halo: palette.paper };
+    if (state.departure !== null) moments.push(placeMoment(state, frame, labels, marks, state.departure, chosen));
     if (moments[0]) marks.addBox(moments[0]);
-    if (state.hover !== null) moments.push(placeMoment(state, frame, labels, marks, state.hover, { size: TEXT, colour: palette.otherText, halo: palette.paper }));
-    const shown = moments.filter((label) => label !== null);
+    if (state.hover !== null) moments.push(placeMoment(state, frame, labels, marks, state.hover, pointed));
+    const shown = moments.filter((label) => label !== null), others = layout.placed.filter((one) => shown.every((moment) => areApart(one, moment)));
     pen.part("labels");
-    for (const label of [...layout.placed.filter((one) => shown.every((other) => areApart(one, other))), ...shown]) pen.text(label.x, label.y, label.text, label.style);
+    for (const label of [...others, ...shown]) pen.text(label.x, label.y, label.text, label.style);
 }
 
 /** The knob that the slider is held by, on the axis. @param {Pen} pen @param {CurveState} state */

@@ -45,6 +45,7 @@ import { light } from "tdsp/palette.js";
 
 const REACH = 8; // pixels around the deadline
 const REACH_TOUCH = 22;
+const BELOW = 24; // pixels under the window where the slider's knob can be held
 const SNAP = 4; // pixels from a jump that mean its departure, the last one that gets through
 const LIVE = ["departure", "hover", "focused"];
 
@@ -152,7 +153,8 @@ export class CurveView {
     /** @returns {"deadline"|"slider"|"plot"|null} what is under a pixel */
     partAt(x, y, touch = false) {
         const { frame } = this.arrangement ?? {}, { state } = this, reach = touch ? REACH_TOUCH : REACH;
-        if (!frame || state.curve.count === 0 || x < frame.left - reach || x > frame.left + frame.width + reach || y < frame.top || y > frame.top + frame.height + 24) return null;
+        if (!frame || state.curve.count === 0) return null;
+        if (x < frame.left - reach || x > frame.left + frame.width + reach || y < frame.top || y > frame.top + frame.height + BELOW) return null;
         const slider = state.departure === null ? NaN : Math.abs(frameX(frame, state.departure) - x);
         if (slider <= reach && y > frame.top + frame.height - 14) return "slider";
         const line = deadlineLine(state, frame);

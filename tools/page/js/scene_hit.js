@@ -75,7 +75,8 @@ function hitDiscs(projection, ground, x, y, reach, rim) {
  */
 export function hit(projection, ground, x, y, touch = false) {
     const reach = touch ? FINGER : MOUSE, rim = touch ? RIM.touch : RIM.mouse;
-    return hitEnds(projection, ground, x, y, reach) ?? hitSelected(projection, ground, x, y, rim) ?? hitDiscs(projection, ground, x, y, touch ? FINGER / 2 : 6, rim);
+    const first = hitEnds(projection, ground, x, y, reach) ?? hitSelected(projection, ground, x, y, rim);
+    return first ?? hitDiscs(projection, ground, x, y, touch ? FINGER / 2 : 6, rim);
 }
 
 /** @param {Target|null} one @param {Target|null} other */

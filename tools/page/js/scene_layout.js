@@ -6,7 +6,7 @@
 import { lengthAxis, niceStep } from "tdsp/axes.js";
 import { Labels } from "tdsp/draw_labels.js";
 import { TEXT } from "tdsp/draw_text.js";
-import { number, withUnit } from "tdsp/numbers.js";
+import { withUnit } from "tdsp/numbers.js";
 import { countSeen } from "tdsp/scene_discs.js";
 import { positionAt } from "tdsp/scene_legs.js";
 import { END_RADIUS, GAP_REACH, scaleBar } from "tdsp/scene_marks.js";
@@ -41,11 +41,6 @@ function isRoomy(state) {
     return state.projection.left + state.projection.width + RIGHT >= ROOMY;
 }
 
-/** Is a point of the screen in the window, or nearly? @param {SceneState["projection"]} projection */
-function inWindow(projection, x, y, around = 0) {
-    return x >= projection.left - around && x <= projection.left + projection.width + around && y >= projection.top - around && y <= projection.top + projection.height + around;
-}
-
 /** @param {SceneState} state @returns {GapMark[]} larger jumps first */
 function gapMarks(state) {
     const { projection, centers } = state, marks = [];
@@ -53,7 +48,7 @@ function gapMarks(state) {
         const gap = jump.gap;
         if (!gap || !(gap.first >= 0) || gap.second >= state.count) continue;
         const x = projection.x(gap.place[0]), y = projection.y(gap.place[1]);
-        if (!inWindow(projection, x, y)) continue;
+        if (!projection.holds(x, y)) continue;
         const direction = Math.atan2(centers.y[gap.first] - centers.y[gap.second], centers.x[gap.second] - centers.x[gap.first]);
         marks.push({ x, y, direction, time: gap.time, size: jump.size ?? 0 });
     }
@@ -92,7 +87,7 @@ function pathTicks(state) {
     for (let i = Math.floor(start / every) + 1, left = 5000; i * every < last && left > 0; i++, left--) {
         const tick = tickAt(state, i * every, Math.min(every, end - start) * 1e-4);
         const hides = ends.some((place) => Math.hypot(projection.x(place[0]) - tick.x, projection.y(place[1]) - tick.y) < END_RADIUS + 8);
-        if (!hides && inWindow(projection, tick.x, tick.y)) ticks.push(tick);
+        if (!hides && projection.holds(tick.x, tick.y)) ticks.push(tick);
     }
     return { ticks, every };
 }
@@ -124,7 +119,7 @@ function placeEnds(state, labels) {
     for (const [, place] of places) labels.addMark(projection.x(place[0]), projection.y(place[1]), END_RADIUS + 2);
     for (const [word, place] of places) {
         const x = projection.x(place[0]), y = projection.y(place[1]);
-        if (inWindow(projection, x, y)) labels.place(x, y, END_RADIUS + 5, 0, word, style);
+        if (projection.holds(x, y)) labels.place(x, y, END_RADIUS + 5, 0, word, style);
     }
 }
 
@@ -157,7 +152,8 @@ export function layoutScene(state, measure) {
     placeEnds(state, labels);
     placeGaps(state, labels, gaps);
     const style = { size: 11, colour: palette.ink, halo: palette.paper };
-    for (const tick of ticks) labels.place(tick.x, tick.y, 7, beside(tick), isRoomy(state) ? number(tick.time) : withUnit(tick.time, state.units.time), style);
+    const unit = isRoomy(state) ? "" : state.units.time;
+    for (const tick of ticks) labels.place(tick.x, tick.y, 7, beside(tick), withUnit(tick.time, unit, 10), style);
     const crowded = countSeen(projection, state.centers, state.later ?? state.now) > CROWD;
     return { gaps, ticks, every, labels: labels.placed, bar, crowded };
 }

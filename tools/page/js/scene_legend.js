@@ -21,7 +21,7 @@ export function legendOf(state, every, short) {
     if (count > 0) items.push({ kind: "now", wide: 14, text: still ? `discs at ${withUnit(state.time, units.time, 5)}` : "discs now" });
     if (count > 0 && (!still || state.later)) items.push({ kind: "later", wide: 14, text: "at arrival" });
     if (!still || legs.length > 0) items.push(short ? { kind: "path", wide: 24, text: "path" } : pathItem(every, units.time));
-    if (still ? legs.some((leg) => leg.ride) : count > 0) items.push({ kind: "ridden", wide: 24, text: short ? "ridden disc" : "ridden disc, as the ride begins" });
+    if (legs.some((leg) => leg.ride) || (!still && count > 0)) items.push({ kind: "ridden", wide: 24, text: short ? "ridden disc" : "ridden disc, as the ride begins" });
     if (still ? state.jumps.length > 0 : count > 0) items.push({ kind: "gap", wide: 22, text: short ? "closing gap" : "gap that closes" });
     return items;
 }

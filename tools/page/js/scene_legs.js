@@ -54,7 +54,9 @@
 /** Coefficients of the polynomial of degree 5 with these values, first and second derivatives at 0 and 1. */
 function quintic(f0, f1, d0, d1, s0, s1) {
     const rise = f1 - f0;
-    return [f0, d0, s0 / 2, 10 * rise - 6 * d0 - 4 * d1 - (3 * s0 - s1) / 2, -15 * rise + 8 * d0 + 7 * d1 + (3 * s0 - 2 * s1) / 2, 6 * rise - 3 * (d0 + d1) - (s0 - s1) / 2];
+    const third = 10 * rise - 6 * d0 - 4 * d1 - (3 * s0 - s1) / 2;
+    const fourth = -15 * rise + 8 * d0 + 7 * d1 + (3 * s0 - 2 * s1) / 2;
+    return [f0, d0, s0 / 2, third, fourth, 6 * rise - 3 * (d0 + d1) - (s0 - s1) / 2];
 }
 
 /** @param {number[]} c @param {number} x */

@@ -92,13 +92,15 @@ export function outlineTick(pen, x, y, ux, uy) {
 }
 
 const HANDLE = 4;
+const HELD = 14; // pixels of radius of a disc that has handles
 const LONGER = 1.3; // times as long as asked for, at most
 
-/** Something to hold a disc by: its centre, and four places of its rim. @param {Pen} pen @param {Palette} palette */
+/** Something to hold a disc by, where it is not hidden by that: its centre, and four places of its rim. @param {Pen} pen @param {Palette} palette */
 export function drawHandles(pen, palette, x, y, radius) {
+    if (radius < HELD) return;
     pen.begin();
     pen.rect(x - HANDLE, y - HANDLE, 2 * HANDLE, 2 * HANDLE);
-    for (let i = 0; i < 4 && radius > 14; i++) {
+    for (let i = 0; i < 4; i++) {
         const px = x + radius * Math.cos((i * Math.PI) / 2), py = y + radius * Math.sin((i * Math.PI) / 2);
         pen.rect(px - HANDLE, py - HANDLE, 2 * HANDLE, 2 * HANDLE);
     }

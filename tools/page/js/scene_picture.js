@@ -16,9 +16,19 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 /** @typedef {import("tdsp/scene_hit.js").Target} Target */
 
 /**
+ * Of a scene file, what its picture needs.
+ * @typedef {object} Description
+ * @property {string} [name]
+ * @property {{speed: number, radius?: number}} robot
+ * @property {[number, number]} source
+ * @property {[number, number]} destination
+ * @property {{center: [number, number], radius: number}[]} discs
+ */
+
+/**
  * All that a picture of a scene shows.
  * @typedef {object} SceneState
- * @property {{name?: string, robot: {speed: number, radius?: number}, source: [number, number], destination: [number, number], discs: {center: [number, number], radius: number}[]}} description
+ * @property {Description} description
  * @property {number} count of discs
  * @property {import("tdsp/scene_discs.js").Centers} centers
  * @property {Float64Array} now radii at `time`, the robot's included
@@ -53,9 +63,11 @@ const WIDE = 560;
  */
 export function arrangeScene(state, width, height, measure) {
     const { projection } = state, titled = width >= WIDE, top = 10 + state.head, right = RIGHT;
-    const axes = { x: lengthAxis("x", state.units.length, projection.width / projection.scale), y: lengthAxis("y", state.units.length, projection.width / projection.scale) };
+    const unit = state.units.length, range = projection.width / projection.scale;
+    const axes = { x: lengthAxis("x", unit, range), y: lengthAxis("y", unit, range) };
     const room = axesRoom(frameTicks(projection.frame(), axes.x, axes.y, measure), titled);
-    const legend = state.legend ? placeLegend(legendOf(state, state.layout?.every ?? 0, width < ROOMY), width - room.left - right, measure) : { items: [], height: 0 };
+    const items = state.legend ? legendOf(state, state.layout?.every ?? 0, width < ROOMY) : [];
+    const legend = placeLegend(items, width - room.left - right, measure);
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
     projection.place(room.left, top, width - room.left - right, height - top - below - 4);
     return { axes, titled, legend: legend.items, legendTop: height - legend.height - 4 };
@@ -195,7 +207,8 @@ function drawRobotNow(pen, state) {
     positionAt(legs, time, place);
     const moving = time >= start && time < end && (dx !== 0 || dy !== 0);
     pen.part("robot");
-    drawRobot(pen, palette, projection.x(place[0]), projection.y(place[1]), moving ? Math.atan2(dy, dx) : NaN, (state.description.robot.radius ?? 0) * projection.scale);
+    const radius = (state.description.robot.radius ?? 0) * projection.scale;
+    drawRobot(pen, palette, projection.x(place[0]), projection.y(place[1]), moving ? Math.atan2(dy, dx) : NaN, radius);
 }
 
 /** What moves. @param {Pen} pen @param {SceneState} state */

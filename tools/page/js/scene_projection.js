@@ -36,7 +36,13 @@ export class Projection {
     frame() {
         const { left, top, width, height } = this;
         const halfX = width / this.scale / 2, halfY = height / this.scale / 2;
-        return { left, top, width, height, xLow: this.centerX - halfX, xHigh: this.centerX + halfX, yLow: this.centerY - halfY, yHigh: this.centerY + halfY };
+        const xLow = this.centerX - halfX, yLow = this.centerY - halfY;
+        return { left, top, width, height, xLow, xHigh: this.centerX + halfX, yLow, yHigh: this.centerY + halfY };
+    }
+
+    /** Is a pixel in the window? @param {number} x @param {number} y */
+    holds(x, y) {
+        return x >= this.left && x <= this.left + this.width && y >= this.top && y <= this.top + this.height;
     }
 
     /** The window's place on the screen; what is in its middle stays there. */

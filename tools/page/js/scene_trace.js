@@ -104,7 +104,8 @@ export class Tracer {
     unseen(leg, turned, x0, y0, x1, y1) {
         const radius = Math.max(leg.radiusFrom, leg.radiusTo) * this.projection.scale;
         const around = radius * turned * turned * 0.15 + Math.hypot(x1 - x0, y1 - y0) * 0.25;
-        return Math.max(x0, x1) + around < this.xLow || Math.min(x0, x1) - around > this.xHigh || Math.max(y0, y1) + around < this.yLow || Math.min(y0, y1) - around > this.yHigh;
+        const beside = Math.max(x0, x1) + around < this.xLow || Math.min(x0, x1) - around > this.xHigh;
+        return beside || Math.max(y0, y1) + around < this.yLow || Math.min(y0, y1) - around > this.yHigh;
     }
 }
 

@@ -260,8 +260,9 @@ export class SceneView {
     /** @returns {Target|null} what is under a pixel */
     targetAt(x, y, touch = false) {
         const { projection, description, centers, now, count, selected } = this.state;
-        if (!this.scene || x < projection.left || y < projection.top || x > projection.left + projection.width || y > projection.top + projection.height) return null;
-        const ground = { source: description.source, destination: description.destination, centers, radii: now, count, selected: selected?.index ?? -1 };
+        if (!this.scene || !projection.holds(x, y)) return null;
+        const { source, destination } = description;
+        const ground = { source, destination, centers, radii: now, count, selected: selected?.index ?? -1 };
         return hit(projection, ground, x, y, touch);
     }
 

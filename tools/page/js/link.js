@@ -41,7 +41,7 @@ async function through(bytes, stream) {
 /** "z" and deflated bytes, or "r" and raw ones where the browser cannot deflate. @param {Uint8Array} bytes */
 async function pack(bytes) {
   if (typeof CompressionStream !== "function") return "r" + toBase64url(bytes);
-  return "z" + toBase64url(await through(bytes, new CompressionStream("deflate-raw")));
+  return "z" + toBase64url(await through(bytes, new CompressionStream("deflate")));
 }
 
 async function unpack(text) {
@@ -50,7 +50,7 @@ async function unpack(text) {
     const bytes = fromBase64url(text.slice(1));
     if (text[0] === "r") return bytes;
     if (typeof DecompressionStream !== "function") throw new LinkError("This browser cannot unpack the link: it is too old.");
-    return await through(bytes, new DecompressionStream("deflate-raw"));
+    return await through(bytes, new DecompressionStream("deflate"));
   } catch (error) {
     throw error instanceof LinkError ? error : new LinkError("The link is damaged: a part of it is missing or was changed on the way.");
   }

@@ -26,6 +26,10 @@ test("digits tell a departure from the jump close to it", () => {
   assert.match(said(answerWords(asked({ departure: 9.849599, answer: { status: "ok", arrival: 29.849599 } }))), /^Leaving at 9\.849599 s/);
 });
 
+test("large times keep all digits before the point", () => {
+  assert.match(said(answerWords(asked({ departure: 200000, answer: { status: "ok", arrival: 200486.52 }, jumps: [], unit: "" }))), /^Leaving at 200000 you arrive at 200487, 486\.52 later\./);
+});
+
 test("a gap that is not known is just a gap", () => {
   assert.match(said(answerWords(asked({ jumps: [{ ...jump, gap: null }] }))), /later a gap closes/);
 });

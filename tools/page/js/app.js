@@ -47,7 +47,7 @@ async function openFirst(page, strip, show) {
 
 function openEntry(page, show, strip, entry, story = false) {
   describe(entry.title, entry.words.join(" "), entry.credit);
-  page.open({ name: entry.id, from: entry.id, scene: entry.scene, departure: entry.departure });
+  page.open({ name: entry.id, from: entry.id, scene: entry.scene, departure: entry.departure, view: entry.view });
   if (story) show.story();
   else show.once();
 }
@@ -66,6 +66,7 @@ async function openLink(page, strip, show) {
     const action = await readLink(location.hash.slice(1), (name) => strip.find(name)?.scene);
     if (!action) return false;
     const entry = action.from ? strip.find(action.from) : null;
+    if (entry) action.view = entry.view;
     const words = entry ? [entry.title, entry.words.join(" "), entry.credit] : action.bytes ? [action.name, ONLY_TABLE] : [action.scene.name ?? action.name];
     openWith(page, action, (error) => `The link is damaged: ${error.message}.`, words);
     show.stop();

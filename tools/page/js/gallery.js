@@ -4,7 +4,8 @@ import { byId, element } from "tdsp/dom.js";
 import { drawThumbnail } from "tdsp/thumbnail.js";
 
 /**
- * @typedef {{id: string, title: string, scene: import("tdsp/state.js").Scene, departure: number, words: [string, string], credit?: string}} Entry
+ * @typedef {{x: number, y: number, width: number}} View  the middle of what is shown and its width, where the scene as a whole is much larger than what is to be seen
+ * @typedef {{id: string, title: string, scene: import("tdsp/state.js").Scene, departure: number, words: [string, string], credit?: string, view?: View}} Entry
  */
 
 export class Gallery {

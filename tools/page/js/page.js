@@ -69,7 +69,13 @@ export class Page {
     this.store.dispatch({ type: "open", ...action });
     this.playback.time = (this.playback.span.departure + this.playback.span.arrival) / 2;
     this.scene.fit();
-    this.show();
+    this.#showNow();
+    if (action.view) this.#look(action.view);
+  }
+
+  #look({ x, y, width }) {
+    this.scene.draw(); // only then is known how wide the window is
+    this.scene.view = { x, y, scale: this.scene.state.projection.width / width };
   }
 
   /** Do an edit that may be no good: the sentence why not, or null. @param {any} action */

@@ -2,8 +2,8 @@
 // What the pictures show, in sentences: read by people who see them, and aloud to those who do not. Pure: numbers come in, words go out.
 import { number, withUnit as spaced } from "tdsp/numbers.js";
 
-/** A number and its unit stay on one line. */
-const withUnit = (value, unit, digits) => spaced(value, unit, digits).replace(" ", "\u00a0");
+/** So many digits, and all of those before the point; a number and its unit stay on one line. */
+const withUnit = (value, unit, digits) => spaced(value, unit, Math.max(digits, Math.min(15, Math.floor(Math.log10(Math.abs(value) || 1)) + 1))).replace(" ", "\u00a0");
 
 const NEVER = {
   source_covered: "the source is covered",

@@ -71,6 +71,26 @@ test("while a disc is dragged the way follows in every frame", quietly(async () 
   assert.ok(seen.size >= 3, String([...seen]));
 }));
 
+test("a scene that replaces one whose curve is still being sampled ends that", quietly(async () => {
+  const page = await openPage();
+  await settled(page);
+  await page.evaluate(async () => {
+    const { tdspPage: p } = globalThis;
+    p.answers.remote = { last: () => new Promise(() => {}), jumps: () => new Promise(() => {}), build: () => new Promise(() => {}) };
+    p.core.scene = ((make) => (description) => {
+      const scene = make.call(p.core, description);
+      const slowly = (name) => { const quick = scene[name].bind(scene); scene[name] = (...given) => { const end = performance.now() + 10; while (performance.now() < end); return quick(...given); }; };
+      slowly("last");
+      slowly("samples");
+      return scene;
+    })(p.core.scene);
+    for (let i = 0; i < 6; i++) {
+      p.store.dispatch({ type: "disc", index: 0, change: { radius: 1 - 0.01 * i } });
+      for (let k = 0; k < 3; k++) await new Promise((done) => requestAnimationFrame(done));
+    }
+  });
+}));
+
 test("the slider of the curve moves the departure, and snaps to the last moment", quietly(async () => {
   const page = await openPage();
   await settled(page);
@@ -104,6 +124,8 @@ test("a deadline gives the latest departure", quietly(async () => {
   await page.keyboard.press("Tab");
   const latest = await ask(page, (p) => p.answers.found.latest.departure);
   assert.equal(latest, await ask(page, (p) => p.answers.found.jumps[0].departure));
+  assert.equal(await ask(page, (p) => p.answers.found.latestPath.departure), latest);
+  await page.waitForFunction(() => globalThis.tdspPage.scene.state.ghost.length === 1);
   assert.match((await page.textContent("#words")).replaceAll("\u00a0", " "), /To arrive by 31 s, leave at 9\.8496 s at the latest\./);
 }));
 

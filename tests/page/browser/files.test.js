@@ -127,7 +127,7 @@ const broken = {
   "huge.json": [`${head} "discs": [{"center": [0, 1e999], "radius": 1, "growth": 0}]}`, /^huge\.json, line 3, column 27: /],
   "text.tdsp": ["hello", "text.tdsp: this is neither JSON nor a table."],
   "cut.tdsp": [() => table().subarray(0, 500), "cut.tdsp: the table is shorter or longer than it says."],
-  "flipped.tdsp": [() => table().fill(0x55, 2000, 2008), /^flipped\.tdsp: the table is damaged|checksum/],
+  "flipped.tdsp": [() => table().fill(0x55, 2000, 2008), "flipped.tdsp: the table's bytes were changed."],
 };
 test("what is broken is a sentence beside it, and what was shown stays", quietly(async () => {
   const page = await openPage();

@@ -20,6 +20,7 @@ export function roundUp(value) {
  * @typedef {object} Found
  * @property {any} path of the departure chosen
  * @property {any} latest for the deadline; null without one
+ * @property {any} latestPath and its path
  * @property {any} last what ends the departures; null while unknown
  * @property {number|null} horizon where the curve ends though departures do not; null where they do
  * @property {{times: Float64Array, arrivals: Float64Array}|null} samples
@@ -32,7 +33,7 @@ export function roundUp(value) {
  */
 
 /** @returns {Found} */
-const nothing = () => ({ path: null, latest: null, last: null, horizon: null, samples: null, jumps: null, built: null, stale: false, tableStale: false, working: false, problems: { jumps: null, table: null } });
+const nothing = () => ({ path: null, latest: null, latestPath: null, last: null, horizon: null, samples: null, jumps: null, built: null, stale: false, tableStale: false, working: false, problems: { jumps: null, table: null } });
 
 export class Answers {
   found = nothing();
@@ -45,6 +46,8 @@ export class Answers {
   #jobs = { shape: new AbortController(), table: new AbortController() };
   #lastCost = 0;
   #epsilon = 0.01;
+  /** What the latest departure was asked for. */
+  asked = { source: null, description: null, deadline: null };
   #shaped = false; // all jumps of this scene are known
 
   /** @param {any} core @param {any} remote @param {() => void} changed called when something more is known */
@@ -87,9 +90,17 @@ export class Answers {
   /** The path for a departure, and the latest departure for a deadline. */
   ask(departure, deadline) {
     const source = this.scene ?? this.table;
-    const path = source.path(departure);
+    this.found = { ...this.found, path: source.path(departure), ...this.#latest(source, deadline) };
+  }
+
+  /** The latest departure for a deadline and its path; asked again only where one of the two is another. */
+  #latest(source, deadline) {
+    const { description } = source;
+    const { asked } = this;
+    if (asked.source === source && asked.description === description && asked.deadline === deadline) return {};
+    this.asked = { source, description, deadline };
     const latest = deadline === null ? null : source.departure(deadline);
-    this.found = { ...this.found, path, latest };
+    return { latest, latestPath: latest?.status === "ok" ? source.path(latest.departure) : null };
   }
 
   /** Another epsilon: only the table changes. */
@@ -148,6 +159,8 @@ export class Answers {
   #begin() {
     this.#callOff();
     this.#shaped = false;
+    cancelAnimationFrame(this.#sampling); // those samples are of a scene that is given back soon
+    this.#sampler = null;
     if (this.#lastCost < QUICK_LAST) {
       const began = performance.now();
       this.#learnLast(this.scene.last());

@@ -54,6 +54,7 @@ function openEntry(page, show, strip, entry, story = false) {
 
 function describe(title, words, credit) {
   byId("scene-title").textContent = title;
+  document.title = `${title} · When to leave · libtdsp`;
   byId("scene-words").textContent = words ?? "";
   byId("credit").textContent = credit ?? "";
   byId("credit").hidden = !credit;

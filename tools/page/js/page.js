@@ -202,9 +202,10 @@ export class Page {
     if (this.shown.scene !== this.answers.scene || this.shown.description !== this.answers.scene?.description || this.shown.table !== this.answers.table) this.#giveScene();
     const { legs } = { legs: [], ...found.path };
     if (this.shown.legs !== legs) this.scene.show({ path: found.path });
-    if (this.shown.ghost !== this.#ghost.path) this.scene.show({ ghost: this.#ghost.path });
+    const ghost = this.#ghost.path ?? found.latestPath;
+    if (this.shown.ghost !== ghost) this.scene.show({ ghost });
     if (this.shown.jumps !== found.jumps) this.scene.show({ jumps: found.jumps ?? [] });
-    Object.assign(this.shown, { legs, ghost: this.#ghost.path, jumps: found.jumps });
+    Object.assign(this.shown, { legs, ghost, jumps: found.jumps });
     this.scene.show({ time: playback.time, selected: state.selected });
     this.#showTransport();
   }

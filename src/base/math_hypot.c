@@ -24,11 +24,10 @@ static inline double hypot_of(double x, double y)
     return h - over / (2.0 * h);
 }
 
-/* Where a square would overflow or be lost, or is a NaN. */
+/* Where a square would overflow or be lost, or is a NaN, which every way but the first hands on. */
 static double hypot_of_extremes(double x, double y)
 {
     if (x > DBL_MAX || y > DBL_MAX) return INFINITY;
-    if (x != x || y != y) return x + y;
     if (y <= 0x1p-60 * x) return x;
     return x > 1.0 ? hypot_of(x * 0x1p-600, y * 0x1p-600) * 0x1p600 : hypot_of(x * 0x1p600, y * 0x1p600) * 0x1p-600;
 }

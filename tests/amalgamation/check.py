@@ -60,7 +60,7 @@ def answers(folder, program):
 
 
 def difference(found, recorded):
-    wrong = [f"{a!r}, not {b!r}" for a, b in zip(found, recorded) if not reader.same(a, b)]
+    wrong = [f"{a!r}, not {b!r}" for a, b in zip(found, recorded) if a != b]
     return wrong + ([f"{len(found)} lines, not {len(recorded)}"] if len(found) != len(recorded) else [])
 
 

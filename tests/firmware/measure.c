@@ -2,11 +2,11 @@
 /*
  * What look-ups cost on the processor it runs on, and what they answer: `budget.py` runs it on this machine and on Cortex-Ms in qemu.
  *
- * Answers are printed as bits. Arrivals must be the same everywhere; places rest on the C library's sine, cosine and logarithm.
+ * Answers are printed as bits, and must be the same everywhere.
  *
  * On a Cortex-M instructions are counted by SysTick: qemu runs with -icount shift=0, an instruction a nanosecond, and SysTick counts at
  * 25 MHz, so that REPEATS look-ups are told apart from one more instruction each. A call of a function that does nothing is taken off. The stack is
- * painted from below the caller's frame down, and looked at afterwards: it holds also what the C library's mathematics took.
+ * painted from below the caller's frame down, and looked at afterwards: it holds also what the C library and the compiler's arithmetic took.
  */
 #include <inttypes.h>
 #include <stdio.h>

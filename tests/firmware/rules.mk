@@ -13,7 +13,7 @@ FIRMWARE_READER := $(filter-out src/geom/%,$(QUERY_SOURCES)) src/geom/path.c
 FIRMWARE_LINK := -T examples/firmware/firmware.ld -nostartfiles -Wl,--gc-sections --specs=rdimon.specs
 # Debian's newlib has PRIx64 and the like only for its own <stdint.h>, and its gcc brings another.
 FIRMWARE_INTTYPES := -D__int32_t_defined=1 -D__int64_t_defined=1
-FIRMWARE_PROGRAMS := robot measure answers
+FIRMWARE_PROGRAMS := robot measure answers mathematics
 FIRMWARE_ROUTE_SCENE := examples/scenes/two-discs.json
 # Rows of 256 departures, with legs on discs whose rates change: the longest there are.
 FIRMWARE_LONG_SCENE := examples/scenes/fires-accelerating.json
@@ -38,8 +38,9 @@ $(FIRMWARE)/$(1)/libtdsp-query.a: $(patsubst %.c,$(FIRMWARE)/$(1)/%.o,$(FIRMWARE
 $(FIRMWARE)/$(1)/robot.elf: examples/firmware/robot.c $(FIRMWARE)/route.c
 $(FIRMWARE)/$(1)/measure.elf: tests/firmware/measure.c $(FIRMWARE)/long.c
 $(FIRMWARE)/$(1)/answers.elf: tests/firmware/answers.c tests/portable/answers.c
+$(FIRMWARE)/$(1)/mathematics.elf: tests/portable/mathematics.c tests/support/functions.c
 $(FIRMWARE_PROGRAMS:%=$(FIRMWARE)/$(1)/%.elf): examples/firmware/startup.c examples/firmware/firmware.ld $(FIRMWARE)/$(1)/libtdsp-query.a
-	$(FIRMWARE_CC) $(FIRMWARE_CFLAGS) $(FIRMWARE_INTTYPES) $$(flags_$(1)) $(FIRMWARE_LINK) -Wl,-Map,$$(@:.elf=.map) $$(filter-out tests/portable/%,$$(filter %.c,$$^)) $(FIRMWARE)/$(1)/libtdsp-query.a -lm -o $$@
+	$(FIRMWARE_CC) $(FIRMWARE_CFLAGS) -Itests $(FIRMWARE_INTTYPES) $$(flags_$(1)) $(FIRMWARE_LINK) -Wl,-Map,$$(@:.elf=.map) $$(filter-out tests/portable/answers.c,$$(filter %.c,$$^)) $(FIRMWARE)/$(1)/libtdsp-query.a -lm -o $$@
 endef
 $(foreach core,$(FIRMWARE_CORES),$(eval $(call firmware_core,$(core))))
 -include $(wildcard $(FIRMWARE)/*/src/*/*.d)

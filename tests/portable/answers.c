@@ -5,8 +5,7 @@
  *
  *   answers FILE...
  *
- * Numbers are printed as the bits of the double. What rests on functions of the machine's mathematical library (places on arcs, by sin, cos and log) is
- * printed behind the word "about" in decimal, to be compared up to rounding.
+ * Numbers are printed as the bits of the double, places on arcs and curves too: the library brings its own sine, cosine and logarithm.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -76,7 +75,10 @@ static void say_leg(const tdsp_leg *leg)
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) say("", numbers[i]);
     printf("\n");
     tdsp_point middle = tdsp_leg_position(leg, leg->start_time + 0.375 * (leg->end_time - leg->start_time));
-    printf("about %.17g %.17g\n", middle.x, middle.y);
+    printf("  place");
+    say("x", middle.x);
+    say("y", middle.y);
+    printf("\n");
 }
 
 static void say_path(const tdsp_table *table, double departure)

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: MIT
-# Other machines: aarch64, s390x (big-endian) and armhf (32 bits), cross-compiled and emulated.
-#   make portable                       everything on all three
+# Other machines: aarch64, s390x (big-endian) and armhf (32 bits), cross-compiled and emulated; of tables' bytes also riscv64, i386 and WebAssembly.
+#   make portable                       everything on all of them
 #   make portable MACHINES=s390x        on one
 MACHINES ?= aarch64 s390x armhf
+# Where bytes of tables are compared: tests/portable/bytes.py needs nothing but a compiler and the C library there.
+BYTES_MACHINES ?= aarch64 s390x armhf riscv64 i386 wasm32
+BYTES = $(PYTHON) tests/portable/bytes.py $(1) $(BUILD)
 # What to run there: run-unit for the unit tests only.
 PORTABLE_GOALS ?= run-tests
 PORTABLE := $(BUILD)/portable
@@ -42,14 +45,24 @@ portable: ## run the tests on aarch64, s390x and armhf, emulated, and read their
 	  || echo "0 1" > $(PORTABLE)/check/$(m)-build.result; };)
 	@tests/run.sh $(PORTABLE)/check/reader.result reader $(PYTHON) tests/portable/reader.py check $(BUILD) $(foreach m,$(MACHINES),$(triple_$(m)))
 	@tests/run.sh $(PORTABLE)/check/tables.result tables $(PYTHON) tests/portable/tables.py $(BUILD) $(foreach m,$(MACHINES),$(PORTABLE)/$(m)/tdsp.sh)
+	@tests/run.sh $(PORTABLE)/check/bytes.result bytes $(call BYTES,check) here $(BYTES_MACHINES)
 	@tests/summary.sh $(PORTABLE)/check
 
+.PHONY: bytes
+bytes: ## compare the bytes of tables on BYTES_MACHINES (aarch64 s390x armhf riscv64 i386 wasm32) with those recorded
+	@tools/setup/packages.sh trust
+	$(call BYTES,check) here $(BYTES_MACHINES)
+
 .PHONY: golden-record
-golden-record: ## write the golden files' answers and the broken files of tests/golden anew
+golden-record: ## write the golden files' answers, the broken files, and the bits of tables and functions in tests/golden anew
 	$(PYTHON) tests/golden/refuse.py
 	$(PYTHON) tests/portable/reader.py record $(BUILD)
+	$(call BYTES,record)
 
-# The short version: the reader by itself on two machines, and the list of broken files held to the specification's second reader.
-checks += golden portable
+# The short version: the reader and the mathematics by themselves on two machines, tables here and in WebAssembly, and the list of broken files held to the
+# specification's second reader.
+checks += golden portable bytes mathematics
+$(CHECK)/bytes.result: ; $(RUN) $(call BYTES,check) here wasm32
+$(CHECK)/mathematics.result: ; $(RUN) $(call BYTES,mathematics) aarch64 s390x
 $(CHECK)/golden.result: ; $(RUN) $(PYTHON) tests/golden/refuse.py --check
 $(CHECK)/portable.result: ; $(RUN) $(PYTHON) tests/portable/reader.py check $(BUILD) aarch64-linux-gnu s390x-linux-gnu

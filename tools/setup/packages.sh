@@ -175,6 +175,10 @@ if [ "$tier" = trust ]; then
     need frama-c-base has_command frama-c
     need gcc-arm-linux-gnueabihf has_cross_hf arm
     need libc6-dev-armhf-cross has_cross_hf arm
+    need gcc-riscv64-linux-gnu has_cross riscv64
+    need libc6-dev-riscv64-cross has_cross riscv64
+    need gcc-i686-linux-gnu has_cross i686
+    need libc6-dev-i386-cross has_cross i686
     need afl++ has_afl
 fi
 

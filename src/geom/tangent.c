@@ -93,7 +93,8 @@ geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time)
     if (fabs(w) >= reach || tangent_is_concentric(tangent, time)) {
         double normal = leg.heading - tangent->to_side * tangent->to->theta;
         double along = -tangent->to_side * tangent->distance * math_sin(normal - tangent->bearing) - w;
-        int is_beside = along < -tolerance_touch(j->center, tangent->distance + disc_radius(j, time));
+        double turning = GEOM_TIME * fabs(time) * (1.0 + tangent->distance / disc_radius(tangent->from, time));
+        int is_beside = along < -tolerance_touch(j->center, tangent->distance + disc_radius(j, time)) - turning;
         leg.length = is_beside ? TANGENT_NONE : tangent_length_of(tangent, along, 0.0);
         return leg;
     }

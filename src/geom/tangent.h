@@ -74,7 +74,8 @@ typedef struct geom_leg {
  * The leg at a departure that was solved for, `angle` being where the ride itself says the rider is. Of the ride and the departure point
  * the one decides that moves less in an ulp of time: on a pebble the ride spins, near |k| = 1 the departure point does. There sqrt(|D|^2 - K^2) is lost to
  * rounding, by up to 1e-8. What the ride says is not: with the arrival normal n_j that its heading leads to, rho sqrt(|D|^2 - K^2) = -q D x n_j.
- * TANGENT_NONE is its length where that lies behind by more than a touch: a pebble on the other's boundary, which its rider leaves for somewhere else on it.
+ * TANGENT_NONE is its length where that lies behind by more than a touch and the place where a rounding of the time turns the ride to: a pebble on the other's boundary, which its
+ * rider leaves for somewhere else on it.
  */
 #define TANGENT_NONE (-1.0)
 geom_leg tangent_leg(const geom_tangent *tangent, double angle, double time);

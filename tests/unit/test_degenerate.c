@@ -172,6 +172,16 @@ static void a_pebble_on_a_boundary_is_no_short_cut_round_the_disc(void **state)
     tdsp_scene_free(scene);
 }
 
+/* Late in time a rounding of the clock puts the end of a ride behind the destination by more than a touch. */
+static void a_destination_on_a_boundary_is_reached_late_in_time(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 0.0, {1.0, 0.0}, {-1.0, 0.0}},
+                          2,
+                          {{{-1.2187499999999998, -2.0}, 0.0625, 0.00125}, {{-0.9863061797752809, 0.028089887640449437}, 0.03125, 0.0}}};
+    assert_near(agreed_arrival(&d, 1168.1030009581443), 1170.1034845797317, 1e-10);
+}
+
 /* The moment in which the destination is covered was infinite, and a search back from it not a number. */
 static void a_destination_covered_later_than_doubles_say_is_too_far(void **state)
 {
@@ -277,6 +287,7 @@ int main(void)
         cmocka_unit_test(nobody_leaves_a_vast_disc_from_behind),
         cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both),
         cmocka_unit_test(a_pebble_on_a_boundary_is_no_short_cut_round_the_disc),
+        cmocka_unit_test(a_destination_on_a_boundary_is_reached_late_in_time),
         cmocka_unit_test(a_destination_covered_later_than_doubles_say_is_too_far),
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),

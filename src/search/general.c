@@ -12,6 +12,9 @@
 #define PROOF_STEP 2e-9
 #define LEAST_STEP 1e-14
 
+/* A deadline later than the source is covered and so many straight ways is no time at hand: with one far beyond, steps would be longer than all departures. */
+#define LONG_WAY 1e3
+
 typedef struct general_state {
     tdsp_solver *solver;
     double arrival;  /* a */
@@ -133,7 +136,7 @@ tdsp_status general_latest(tdsp_solver *solver, double arrival, double after, do
     } else if (isinf(state.arrival)) {
         status = general_endless(&state);
     } else {
-        state.scale += state.arrival;
+        state.scale += math_min(state.arrival, ends->source_cover.time + LONG_WAY * ends->time);
         state.too_late = math_min(state.too_late, state.arrival - straight + general_slack(&state, PROOF_STEP));
         status = general_check(solver, state.arrival);
         if (status == TDSP_OK) status = general_search(&state);

@@ -223,6 +223,28 @@ static void a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed(void 
     tdsp_scene_free(scene);
 }
 
+/* The destination is covered 3e13 time units on, and steps of the search for the last departure were a share of that. */
+static void a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure(void **state)
+{
+    (void)state;
+    slowing law = {27750.0, 960000.00000096008, 3.6999999999999994e-08};
+    static const double times[] = {0.0, 0.037}, rates[] = {960000.0, 0.0};
+    const tdsp_journey journey = {1e6, 0.0, {-37000.0, 0.0}, {73421.875, -41046.875}};
+    const tdsp_growth until = {.kind = TDSP_GROWTH_RATES, .count = 2, .times = times, .values = rates};
+    const tdsp_growing_disc discs[] = {{{-74000.0, 37000.0}, 27750.0, until},
+                                       {{-2890.625, -2890.625}, 27750.0, until},
+                                       {{-74000.0, -68218.75}, 27750.0, {.kind = TDSP_GROWTH_LAW, .law = slowing_at, .ctx = &law, .until = 0.592}}};
+    tdsp_scene *scene;
+    tdsp_solver *solver;
+    tdsp_last_departure last;
+    assert_int_equal(tdsp_scene_create_growing(&journey, discs, 3, NULL, &scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_solver_last_departure(solver, &last), TDSP_OK);
+    assert_near(last.departure, 0.00145929221595, 1e-11);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 /* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
 static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
 {
@@ -294,6 +316,7 @@ int main(void)
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
+        cmocka_unit_test(a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure),
         cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),
         cmocka_unit_test(a_source_inside_a_disc_that_hardly_grows_is_covered),
         cmocka_unit_test(a_disc_at_the_end_of_the_world_is_refused),

@@ -343,7 +343,8 @@ static tdsp_status leave_onto_goal(const leave_target *goal)
     growth_moment moment = chunk_moment(chunk, at);
     double length = point_distance(rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), goal->place);
     double distance = point_distance(goal->place, chunk->shape->center);
-    return length <= GEOM_CONTACT * (1.0 + distance) ? push_aimed(goal, at, target_line(goal, at)) : TDSP_OK;
+    double touch = GEOM_CONTACT * (1.0 + distance) + GEOM_TIME * fabs(moment.time);
+    return length <= touch ? push_aimed(goal, at, target_line(goal, at)) : TDSP_OK;
 }
 
 /* To what is ahead, nearest first, as far as it is not hidden. Who asks why there is no path wants to see all that stops a robot. */

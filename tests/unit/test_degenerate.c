@@ -182,6 +182,19 @@ static void a_destination_on_a_boundary_is_reached_late_in_time(void **state)
     assert_near(agreed_arrival(&d, 1168.1030009581443), 1170.1034845797317, 1e-10);
 }
 
+/* So late that the clock rounds by more than a touch: every other departure was told that the destination on the boundary is covered. */
+static void a_destination_on_a_boundary_is_ridden_onto_tens_of_thousands_of_journeys_late(void **state)
+{
+    (void)state;
+    const degenerate d = {{1e-6, 0.0, {-1e9, 0.0}, {1671875000.0, 1593750000.0}},
+                          2,
+                          {{{-1093749999.9998906, -1093750000.0}, 3e8, 1e-18}, {{1510156250.0, 1378125000.0}, 269531250.0, 0.0}}};
+    for (int k = -10; k <= 10; k++) {
+        const double departure = 1.0194441707981426e20 + k * 1e15;
+        assert_near(agreed_arrival(&d, departure) - departure, 3185050620952576.0, 65536.0);
+    }
+}
+
 /* The moment in which the destination is covered was infinite, and a search back from it not a number. */
 static void a_destination_covered_later_than_doubles_say_is_too_far(void **state)
 {
@@ -310,6 +323,7 @@ int main(void)
         cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both),
         cmocka_unit_test(a_pebble_on_a_boundary_is_no_short_cut_round_the_disc),
         cmocka_unit_test(a_destination_on_a_boundary_is_reached_late_in_time),
+        cmocka_unit_test(a_destination_on_a_boundary_is_ridden_onto_tens_of_thousands_of_journeys_late),
         cmocka_unit_test(a_destination_covered_later_than_doubles_say_is_too_far),
         cmocka_unit_test(a_path_at_the_end_of_a_long_wait_does_not_run_backwards),
         cmocka_unit_test(a_destination_behind_a_pebble_that_it_touches_is_ridden_to),

@@ -37,6 +37,16 @@ static void solve_within(const fuzz_job *job, double departure, double exact)
     if (arrival == INFINITY && exact < INFINITY) job_agrees(job, departure, arrival, "a rough answer finds no way");
 }
 
+/*
+ * Beside a disc hundreds of journeys large a gap closes when a touch says so (docs/numerics.md: radii within eta), which over the rate of its closing is longer than an answer's error.
+ */
+static int solve_gaps_are_sharp(const fuzz_job *job)
+{
+    for (size_t i = 0; i < job->w->count; i++)
+        if (job->w->discs[i].radius > 1e2 * job->w->unit * job->w->journey.speed) return 0;
+    return 1;
+}
+
 /* The latest departure keeps its word, and nobody can leave later. */
 static void solve_latest(const fuzz_job *job, double departure, double arrival)
 {
@@ -55,18 +65,8 @@ static void solve_latest(const fuzz_job *job, double departure, double arrival)
     job_check_path(job, latest, arrives);
     job_agrees(job, latest, arrives, "the latest departure arrives at another time");
     const double after = job_arrival(job, latest + far);
-    if (job_is_far(job, latest)) return;
+    if (job_is_far(job, latest) || !solve_gaps_are_sharp(job)) return;
     if (!isnan(after) && latest + far <= by) world_require(job->w, after >= by - error, "a later departure arrives in time", latest, after);
-}
-
-/*
- * Beside a disc hundreds of journeys large a gap closes when a touch says so (docs/numerics.md: radii within eta), which over the rate of its closing is longer than an answer's error.
- */
-static int solve_gaps_are_sharp(const fuzz_job *job)
-{
-    for (size_t i = 0; i < job->w->count; i++)
-        if (job->w->discs[i].radius > 1e2 * job->w->unit * job->w->journey.speed) return 0;
-    return 1;
 }
 
 static void solve_last(const fuzz_job *job)

@@ -59,9 +59,9 @@ without_the_shared_library() {
     rm "$here"/lib/libtdsp.so* && cmake -S tests/install -B "$work/archives" -DCMAKE_PREFIX_PATH="$here" && cmake --build "$work/archives" &&
         ! links_libtdsp "$work/archives/shared" && "$work/archives/shared"
 }
-# The page is installed where it has been built, and the command says so where it has not.
+# The page is installed where it has been built by then, and the command says so where it has not.
 views() {
-    if [ -e "$build/page/index.html" ]; then
+    if [ -e "$here/share/tdsp/page.html" ]; then
         (unset TDSP_PAGE; "$here/bin/tdsp" view examples/scenes/two-discs.json -o "$work/view.html" --no-open) && [ -s "$work/view.html" ]
     else
         (unset TDSP_PAGE; "$here/bin/tdsp" view examples/scenes/two-discs.json -o "$work/view.html" --no-open) 2>&1 | grep -q "make page"

@@ -13,33 +13,19 @@
 #define QUERY_OUTWARD_H
 
 #include <stdint.h>
-#include <string.h>
 
+#include "base/math.h"
 #include "base/soft.h"
-
-static inline uint64_t outward_bits(double x)
-{
-    uint64_t bits;
-    memcpy(&bits, &x, sizeof bits);
-    return bits;
-}
-
-static inline double outward_double(uint64_t bits)
-{
-    double x;
-    memcpy(&x, &bits, sizeof x);
-    return x;
-}
 
 /* The bits of x >= 0; of 0, where it is -0. */
 static inline uint64_t outward_whole(double x)
 {
-    return outward_bits(x) & (UINT64_MAX >> 1);
+    return math_bits(x) & (UINT64_MAX >> 1);
 }
 
 static inline double outward_step(double s, uint64_t up, uint64_t down)
 {
-    return outward_double(outward_bits(s) + (up - down));
+    return math_of_bits(math_bits(s) + (up - down));
 }
 
 /* ------------------------------------------------------------------------------------------------------ in doubles */
@@ -96,7 +82,7 @@ static inline double outward_soft_sum(double a, double b, unsigned up)
         exponent++;
     }
     /* The bit that is not stored adds the exponent's last 1. */
-    return outward_double(((uint64_t)(exponent - 1) << 52) + sum + (cut & up));
+    return math_of_bits(((uint64_t)(exponent - 1) << 52) + sum + (cut & up));
 }
 
 /* ---------------------------------------------------------------------------------------------- whatever is better */

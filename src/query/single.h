@@ -40,7 +40,7 @@ static inline double single_widen(float x)
     if (bits == 0) return 0.0;
     /* Below the least normal float, as a larger one and an exponent that is lower by as much. */
     for (; bits < SINGLE_MIN; bits <<= 1) exponent++;
-    return outward_double(((uint64_t)bits << SINGLE_CUT) + SINGLE_BIAS - ((uint64_t)exponent << 52));
+    return math_of_bits(((uint64_t)bits << SINGLE_CUT) + SINGLE_BIAS - ((uint64_t)exponent << 52));
 }
 
 /* A float's bits for a double >= 0, also -0, rounded down or up. */

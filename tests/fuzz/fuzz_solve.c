@@ -42,9 +42,7 @@ static void solve_within(const fuzz_job *job, double departure, double exact)
  */
 static int solve_gaps_are_sharp(const fuzz_job *job)
 {
-    for (size_t i = 0; i < job->w->count; i++)
-        if (job->w->discs[i].radius > 1e2 * job->w->unit * job->w->journey.speed) return 0;
-    return 1;
+    return job_largest(job) <= 1e2 * job->w->unit;
 }
 
 /* The latest departure keeps its word, and nobody can leave later. */

@@ -88,8 +88,7 @@ double job_arrival(const fuzz_job *job, double departure)
     return arrival;
 }
 
-/* Of the time in which the largest disc is crossed: what rounding of angles makes of it. */
-static double job_largest(const fuzz_job *job)
+double job_largest(const fuzz_job *job)
 {
     double largest = 0.0;
     for (size_t i = 0; i < job->w->count; i++) largest = fmax(largest, job->w->discs[i].radius);

@@ -34,6 +34,9 @@ void job_check_path(const fuzz_job *job, double departure, double arrival);
 /* The solver's stated error of an arrival. */
 double job_error(const fuzz_job *job, double departure, double arrival);
 
+/* The time in which the radius of the largest disc is crossed: rounding of angles makes a share of it. */
+double job_largest(const fuzz_job *job);
+
 /*
  * Is a time so far away that its own rounding is over 1e-10 of the journey? A gap narrower than that is then open or closed by chance from one departure to the next, and a
  * ride around a pebble cannot be aimed: only arrivals are compared.

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { curveOf, curveWindow, lastShown, latestDeparture, sampleTimes, stairsOf, travelAt } from "../../tools/page/js/curve_data.js";
-import { arrangeCurve, deadlineLine, jumpText, layoutCurve, reasonWords } from "../../tools/page/js/curve_layout.js";
+import { arrangeCurve, deadlineLine, jumpText, layoutCurve, legendOf, reasonWords } from "../../tools/page/js/curve_layout.js";
 import { momentText } from "../../tools/page/js/curve_picture.js";
 import { blankCurve, curveSvg } from "../../tools/page/js/curve_svg.js";
 import { guessedWidth } from "../../tools/page/js/draw_text.js";
@@ -106,6 +106,13 @@ test("a deadline outside of the window has no line", () => {
         const state = stateOf({ mode, deadline: 1 }), { frame } = arrangeCurve(state, 900, 500, guessedWidth);
         assert.equal(deadlineLine(state, frame), null);
     }
+});
+
+test("the curve is called exact only when its jumps are known", () => {
+    const named = (more) => legendOf(stateOf(more)).find(({ kind }) => kind === "curve").text;
+    assert.equal(named({}), "travel time, exact");
+    assert.equal(named({ sampled: true, jumps: [] }), "travel time, sampled");
+    assert.equal(named({ sampled: true, jumps: [], mode: "arrival" }), "earliest arrival, sampled");
 });
 
 test("jumps are labelled with what closes, as `tdsp plot` does", () => {

@@ -73,9 +73,10 @@ export function placeOf(state, frame, departure, travel) {
 }
 
 /** @param {CurveState} state */
-function curveName({ mode, stored }) {
+function curveName({ mode, stored, sampled }) {
     if (stored) return mode === "arrival" ? "arrival by the stored path" : "travel time of the stored path";
-    return mode === "arrival" ? "earliest arrival, exact" : "travel time, exact";
+    const known = sampled ? "sampled" : "exact";
+    return mode === "arrival" ? `earliest arrival, ${known}` : `travel time, ${known}`;
 }
 
 /** The curve as what labels had better not hide. @param {CurveState} state @param {Labels} labels */

@@ -20,6 +20,7 @@ import { withUnit } from "tdsp/numbers.js";
  * @typedef {object} CurveState
  * @property {import("tdsp/curve_data.js").Curve} curve
  * @property {boolean} stored the curve is that of the table's paths: no exact one is known
+ * @property {boolean} sampled the jumps are not known yet: between samples the curve is straight
  * @property {import("tdsp/curve_data.js").Rows|null} rows
  * @property {import("tdsp/curve_data.js").Jump[]} jumps
  * @property {import("tdsp/curve_data.js").Last|null} last

@@ -73,7 +73,10 @@ export class CurveView {
         const { state, given } = this;
         for (const key of ["samples", "evaluate", "leaveBy"]) if (shown[key] !== undefined) given[key] = shown[key];
         for (const key of ["departure", "hover", "deadline", "last", "message", "palette", "legend", "focused", "mode"]) if (shown[key] !== undefined) state[key] = shown[key];
-        if (shown.jumps !== undefined) state.jumps = shown.jumps ?? [];
+        if (shown.jumps !== undefined) {
+            state.jumps = shown.jumps ?? [];
+            state.sampled = shown.jumps === null;
+        }
         if (shown.units !== undefined) state.units = { time: shown.units?.time ?? "" };
         if (shown.table !== undefined) state.rows = rowsOf(shown.table);
         if (shown.deadline !== undefined && shown.leaveBy === undefined) given.leaveBy = null;

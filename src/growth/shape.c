@@ -20,9 +20,6 @@
 /* A panel narrower than this share of its place in time, or of a time unit, has no angle worth halving for. */
 #define LEAST_PANEL 1e-13
 
-/* So few panels are added up one by one: of long sums only the difference would be left, with the rounding of both. */
-#define NEAR_PANELS 8
-
 /* The last terms of a panel's series may be as large as this share of one radian and of the panel's angle, and of a length at its radius: just over their rounding. */
 #define SERIES_ERROR 4e-16
 
@@ -43,7 +40,7 @@ static tdsp_status span_add(growth_shape *shape, const tdsp_allocator *allocator
     if (!(from < to)) return TDSP_OK;
     tdsp_status status = memory_reserve(allocator, (void **)&shape->spans, &shape->span_capacity, shape->span_count + 1u, sizeof *shape->spans);
     if (status != TDSP_OK) return status;
-    shape_span span = {from, to, piece, SHAPE_NONE, 0, 0.0, 0, 0};
+    shape_span span = {from, to, piece, SHAPE_NONE, 0, 0, 0};
     const law_piece *law = &shape->pieces[piece];
     law_jet jet = law_piece_jet(law, isinf(to) ? 2.0 * from + 1.0 : 0.5 * (from + to));
     span.is_concave = jet.rate * jet.rate + jet.radius * jet.bend < 1.0;
@@ -121,7 +118,7 @@ static tdsp_status corner_insert(growth_shape *shape, const tdsp_allocator *allo
 {
     tdsp_status status = memory_reserve(allocator, (void **)&shape->spans, &shape->span_capacity, shape->span_count + 1u, sizeof *shape->spans);
     if (status != TDSP_OK) return status;
-    shape_span corner = {time, time, piece, 0, 1, 0.0, 0, 0};
+    shape_span corner = {time, time, piece, 0, 1, 0, 0};
     memmove(&shape->spans[at + 1], &shape->spans[at], (shape->span_count - at) * sizeof corner);
     shape->spans[at] = corner;
     ++shape->span_count;
@@ -200,12 +197,14 @@ void shape_free(growth_shape *shape, const tdsp_allocator *allocator)
     memory_free(allocator, shape->spans, shape->span_capacity * sizeof *shape->spans);
     memory_free(allocator, shape->runs, shape->run_capacity * sizeof *shape->runs);
     memory_free(allocator, shape->panels, shape->panel_capacity * sizeof *shape->panels);
+    if (shape->turned) memory_free(allocator, shape->turned, 2 * (size_t)shape->span_count * sizeof *shape->turned);
 }
 
 size_t shape_bytes(const growth_shape *shape)
 {
     return shape->piece_count * sizeof *shape->pieces + shape->span_capacity * sizeof *shape->spans +
-           shape->run_capacity * sizeof *shape->runs + shape->panel_capacity * sizeof *shape->panels;
+           shape->run_capacity * sizeof *shape->runs + shape->panel_capacity * sizeof *shape->panels +
+           (shape->turned ? 2 * (size_t)shape->span_count * sizeof *shape->turned : 0);
 }
 
 uint32_t shape_span_at(const growth_shape *shape, double time)
@@ -309,11 +308,7 @@ static tdsp_status span_measure(growth_shape *shape, const tdsp_allocator *alloc
         to = panel_end(span, from, 4.0 * width);
     }
     span->panel_count = shape->panel_count - span->first_panel;
-    double turned = 0.0;
-    for (uint32_t p = shape->panel_count; p-- > span->first_panel;) {
-        turned += panel_turned(&shape->panels[p], shape->panels[p].to);
-        shape->panels[p].turned = turned;
-    }
+    for (uint32_t p = span->first_panel; p < shape->panel_count; ++p) shape->panels[p].turned = panel_turned(&shape->panels[p], shape->panels[p].to);
     return TDSP_OK;
 }
 
@@ -347,16 +342,46 @@ static double span_turned(const growth_shape *shape, uint32_t k, double from, do
     if (span->panel_count == 0) return linear_turned(shape, span, from, to);
     const shape_panel *first = panel_at(shape, span, from), *last = panel_at(shape, span, to);
     double turned = panel_turned(last, to) - panel_turned(first, from);
-    if (last - first > NEAR_PANELS) return turned + (first->turned - last->turned);
-    for (const shape_panel *panel = first; panel < last; ++panel) turned += panel_turned(panel, panel->to);
+    for (const shape_panel *panel = first; panel < last; ++panel) turned += panel->turned;
     return turned;
+}
+
+/*
+ * What whole spans turn, as a tree of sums: the leaves from span_count on, the children of node k at 2 k and 2 k + 1. Sums from one end would not do: around a disc that is nearly a point
+ * riders turn without end, beside one that hardly grows they do so in times without end, and in differences of such sums nothing is left of a ride in between.
+ */
+static void turned_put(growth_shape *shape, uint32_t span, double turned)
+{
+    size_t node = (size_t)shape->span_count + span;
+    shape->turned[node] = turned;
+    while ((node /= 2) > 0) shape->turned[node] = shape->turned[2 * node] + shape->turned[2 * node + 1];
+}
+
+/* By the spans from one to right before another. */
+static double turned_between(const growth_shape *shape, uint32_t from, uint32_t to)
+{
+    double sum = 0.0;
+    for (size_t low = (size_t)shape->span_count + from, high = (size_t)shape->span_count + to; low < high; low /= 2, high /= 2) {
+        if (low & 1) sum += shape->turned[low++];
+        if (high & 1) sum += shape->turned[--high];
+    }
+    return sum;
 }
 
 double shape_turned(const growth_shape *shape, uint32_t from_span, double from, uint32_t to_span, double to)
 {
     if (from_span == to_span) return span_turned(shape, from_span, from, to);
-    double turned = span_turned(shape, from_span, from, shape->spans[from_span].to) + span_turned(shape, to_span, shape->spans[to_span].from, to);
-    return turned + (shape->spans[from_span + 1].turned - shape->spans[to_span].turned);
+    return span_turned(shape, from_span, from, shape->spans[from_span].to) + turned_between(shape, from_span + 1, to_span) +
+           span_turned(shape, to_span, shape->spans[to_span].from, to);
+}
+
+static tdsp_status turned_make(growth_shape *shape, const tdsp_allocator *allocator)
+{
+    size_t nodes = 2 * (size_t)shape->span_count;
+    shape->turned = memory_array(allocator, nodes, sizeof *shape->turned);
+    if (!shape->turned) return TDSP_NO_MEMORY;
+    for (size_t i = 0; i < nodes; ++i) shape->turned[i] = 0.0;
+    return TDSP_OK;
 }
 
 tdsp_status shape_measure(growth_shape *shape, const tdsp_allocator *allocator, uint32_t run)
@@ -367,12 +392,9 @@ tdsp_status shape_measure(growth_shape *shape, const tdsp_allocator *allocator, 
         tdsp_status status = shape_is_linear(shape, k) ? TDSP_OK : span_measure(shape, allocator, k);
         if (status != TDSP_OK) return status;
     }
-    double turned = 0.0;
-    for (uint32_t k = self->last;; --k) {
-        if (k < self->last) turned += span_turned(shape, k, shape->spans[k].from, shape->spans[k].to);
-        shape->spans[k].turned = turned;
-        if (k == self->first) break;
-    }
+    tdsp_status status = self->first < self->last && !shape->turned ? turned_make(shape, allocator) : TDSP_OK;
+    if (status != TDSP_OK) return status;
+    for (uint32_t k = self->first; k < self->last; ++k) turned_put(shape, k, span_turned(shape, k, shape->spans[k].from, shape->spans[k].to));
     self->is_measured = 1;
     return TDSP_OK;
 }

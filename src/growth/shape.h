@@ -27,7 +27,7 @@
 
 typedef struct shape_panel {
     double from, to;
-    double turned; /* from there to the span's end */
+    double turned; /* by all of it */
     double c[SHAPE_SERIES + 1];
 } shape_panel;
 
@@ -36,7 +36,6 @@ typedef struct shape_span {
     uint32_t piece;
     uint32_t run;    /* SHAPE_NONE where it cannot be ridden */
     int is_concave;  /* g is */
-    double turned;   /* by a rider from `from` to the run's last span; known once the run is measured */
     uint32_t first_panel, panel_count; /* none where the rate is constant */
 } shape_span;
 
@@ -61,6 +60,7 @@ typedef struct growth_shape {
     shape_panel *panels;
     uint32_t panel_count;
     size_t panel_capacity;
+    double *turned; /* by whole spans of measured runs, 2 span_count sums (shape.c); NULL as long as no run of several is measured */
 } growth_shape;
 
 /* A boundary smaller than this is no place to ride: nobody has to go round it. */
@@ -100,10 +100,7 @@ static inline int shape_is_linear(const growth_shape *shape, uint32_t span)
 /* Make the angles of a run known. TDSP_OK or TDSP_NO_MEMORY. */
 tdsp_status shape_measure(growth_shape *shape, const tdsp_allocator *allocator, uint32_t run);
 
-/*
- * The angle that a rider turns between two moments of a measured run, the second not before the first. Sums are kept from the end, where the disc is large: around
- * a disc that is nearly a point riders turn without end, and differences of such sums would lose the digits that count later.
- */
+/* The angle that a rider turns between two moments of a measured run, the second not before the first, to the rounding of what it is. O(log spans). */
 double shape_turned(const growth_shape *shape, uint32_t from_span, double from, uint32_t to_span, double to);
 
 #endif

@@ -295,6 +295,18 @@ static void angles_around_a_disc_that_was_a_point_keep_their_digits(void **state
     drop(&shape);
 }
 
+/* Its spans double in length until its bend shows, after which it has been gone around more often than can be counted: a ride in the first ones is not to be lost in that. */
+static void angles_around_a_disc_that_hardly_grows_keep_their_digits(void **state)
+{
+    (void)state;
+    const law_piece piece = {0.0, {1.25, 1e-300, 3e-300}, 2};
+    growth_shape shape = shape_of(&piece, 1);
+    assert_true(shape.runs[0].last > shape.runs[0].first + 900);
+    for (double from = 0.5; from < 1e6; from *= 3.0)
+        for (double to = from + 0.25; to < 1e6; to *= 5.0) assert_near(turned(&shape, from, to), (to - from) / 1.25, 1e-15 * to);
+    drop(&shape);
+}
+
 /* Angles are told to rounding: of a radian, of themselves, and of a length at the radius where they end. */
 static double angle_error(const growth_shape *shape, uint32_t span, double to, double angle)
 {
@@ -393,6 +405,7 @@ int main(void)
         cmocka_unit_test(a_parabola_that_closes_has_its_closed_angle_from_the_robots_speed_on),
         cmocka_unit_test(a_long_law_is_as_exact_in_its_first_moments),
         cmocka_unit_test(angles_around_a_disc_that_was_a_point_keep_their_digits),
+        cmocka_unit_test(angles_around_a_disc_that_hardly_grows_keep_their_digits),
         cmocka_unit_test(angles_are_what_integration_says),
         cmocka_unit_test(the_frame_takes_out_units_and_the_robots_radius),
         cmocka_unit_test(a_shape_without_memory_is_told_and_leaves_nothing),

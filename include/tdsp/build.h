@@ -91,8 +91,9 @@ typedef struct tdsp_build_report {
  * @return TDSP_OK; TDSP_SOURCE_COVERED, TDSP_DESTINATION_COVERED, TDSP_CUT_OFF or TDSP_UNREACHABLE when there is no way at departure 0;
  *         TDSP_INVALID_ARGUMENT; TDSP_NOT_SUPPORTED (geometric with another guarantee than arrival or with A(0) = 0; travel with an
  *         oracle that is monotone in arrival; a guarantee finer than the oracle's error, as a relative one is where T grows from 0);
- *         TDSP_NEEDS_HORIZON; TDSP_TOO_MANY_ROWS; TDSP_BAD_ORACLE; TDSP_CANCELLED; TDSP_NO_MEMORY; an error
- *         of the oracle. Outputs are untouched unless TDSP_OK.
+ *         TDSP_NEEDS_HORIZON; TDSP_TOO_MANY_ROWS; TDSP_BAD_ORACLE for answers that contradict each other; TDSP_BAD_PATH for legs of the
+ *         oracle's that are not well formed, do not join, or do not begin at the departure and end by the arrival; TDSP_CANCELLED;
+ *         TDSP_NO_MEMORY; an error of the oracle. Outputs are untouched unless TDSP_OK.
  *
  * The bytes depend on the oracle and the options only, not on the number of workers. Since 0.1.
  */

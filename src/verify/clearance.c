@@ -121,20 +121,12 @@ static void disc_clear(void *ctx, const nearby_disc *disc)
 {
     pass *p = ctx;
     const motion *m = p->m;
-    if (m->leg.kind == TDSP_LEG_CURVE || (p->scene && !swell_is_rate(p->scene, disc->index))) {
+    if (m->leg.kind == TDSP_LEG_CURVE || stretch_is_around(m, disc->center, p->least->fine) || (p->scene && !swell_is_rate(p->scene, disc->index)))
         growing_clear(p, disc);
-        return;
-    }
-    const double apart = m->leg.kind == TDSP_LEG_ARC ? motion_distance(disc->center, m->leg.center) : INFINITY;
-    if (m->leg.kind == TDSP_LEG_LINE) {
+    else if (m->leg.kind == TDSP_LEG_LINE)
         line_clear(p, disc);
-    } else if (apart <= p->least->fine) {
-        /* Around the common centre f is linear; each distance differs from that by no more than the centres do. */
-        const double start = pass_evaluate(p, disc, 0.0), end = pass_evaluate(p, disc, m->duration);
-        p->least->bound = math_min(p->least->bound, math_min(start, end) - 2.0 * apart);
-    } else {
+    else
         arc_clear(p, disc);
-    }
 }
 
 void clearance_of_leg(clearance *least, const motion *m, size_t leg, const nearby_index *index)

@@ -8,6 +8,7 @@
 #define CHEAP_EVALUATIONS 2000
 #define MOST_EVALUATIONS 20000 /* a leg that goes around and around is judged by what is known then */
 #define MOST_HALVINGS 60
+#define NEARLY_AROUND 1e-5 /* centres apart by less, of the least radius, count as one: a motion around one creeps along the other's disc */
 
 typedef struct part {
     double a, b;      /* elapsed time */
@@ -96,17 +97,35 @@ static void stretch_beside(const stretch *s, double from, double to)
     part_clear(s, &whole, &evaluations, 0);
 }
 
-/* `above` is f over the part, but for the two centres, which may be a little apart. */
-static void around_clear(const stretch *s, const bernstein *above, double apart, double a, double b, int *evaluations, int depth)
+typedef struct around_part {
+    double a, b;         /* elapsed time */
+    double from, to;     /* there: how much farther the disc's centre is than the motion's own */
+    bernstein above;     /* r - R over the part */
+} around_part;
+
+/* The centres, how far they are apart, and how fast the distances to them change in comparison at most; infinite near them. */
+typedef struct around {
+    const stretch *s;
+    double apart, drift;
+    int evaluations;
+} around;
+
+static double around_bound(const around *self, const around_part *q)
 {
-    if (!part_is_open(s, a, b, bernstein_least(above) - 2.0 * apart, *evaluations, depth)) return;
-    const double middle = a + 0.5 * (b - a);
-    bernstein low, high;
-    bernstein_halve(above, &low, &high);
-    stretch_evaluate(s, middle);
-    ++*evaluations;
-    around_clear(s, &low, apart, a, middle, evaluations, depth + 1);
-    around_clear(s, &high, apart, middle, b, evaluations, depth + 1);
+    const double drift = self->drift < INFINITY ? 0.5 * (q->from + q->to - self->drift * (q->b - q->a)) : -INFINITY;
+    return bernstein_least(&q->above) + math_max(-self->apart, drift);
+}
+
+static void around_clear(around *self, const around_part *q, int depth)
+{
+    if (!part_is_open(self->s, q->a, q->b, around_bound(self, q), self->evaluations, depth)) return;
+    const double middle = q->a + 0.5 * (q->b - q->a);
+    around_part halves[2] = {{q->a, middle, q->from, 0.0, {0}}, {middle, q->b, 0.0, q->to, {0}}};
+    bernstein_halve(&q->above, &halves[0].above, &halves[1].above);
+    halves[0].to = halves[1].from = stretch_evaluate(self->s, middle) - halves[1].above.b[0];
+    ++self->evaluations;
+    around_clear(self, &halves[0], depth + 1);
+    around_clear(self, &halves[1], depth + 1);
 }
 
 static bernstein stretch_distance(const stretch *s, double from, double to)
@@ -117,12 +136,13 @@ static bernstein stretch_distance(const stretch *s, double from, double to)
 
 static void stretch_around(const stretch *s, double apart, double from, double to)
 {
-    int evaluations = 0;
     const bernstein radius = stretch_radius(s, from, to), distance = stretch_distance(s, from, to);
-    const bernstein above = bernstein_less(&distance, &radius);
-    stretch_evaluate(s, from);
-    stretch_evaluate(s, to);
-    around_clear(s, &above, apart, from, to, &evaluations, 0);
+    const double near = bernstein_least(&distance) - 0.5 * apart;
+    around self = {s, apart, near > 0.0 ? s->m->speed * apart / near : INFINITY, 0};
+    around_part whole = {from, to, 0.0, 0.0, bernstein_less(&distance, &radius)};
+    whole.from = stretch_evaluate(s, from) - whole.above.b[0];
+    whole.to = stretch_evaluate(s, to) - whole.above.b[whole.above.degree];
+    around_clear(&self, &whole, 0);
 }
 
 static void stretch_past(const stretch *s, double from, double to)
@@ -133,14 +153,18 @@ static void stretch_past(const stretch *s, double from, double to)
     if (nearest > from && nearest < to) stretch_evaluate(s, nearest);
 }
 
+int stretch_is_around(const motion *m, tdsp_point center, double fine)
+{
+    if (m->leg.kind == TDSP_LEG_LINE) return 0;
+    return motion_distance(center, m->leg.center) <= math_max(fine, NEARLY_AROUND * math_min(m->leg.radius_from, m->leg.radius_to));
+}
+
 void stretch_clear(const stretch *s, double from, double to)
 {
-    const int line = s->m->leg.kind == TDSP_LEG_LINE;
-    const double apart = line ? INFINITY : motion_distance(s->center, s->m->leg.center);
-    if (line && s->piece.degree <= 1)
+    if (s->m->leg.kind == TDSP_LEG_LINE && s->piece.degree <= 1)
         stretch_past(s, from, to);
-    else if (apart <= s->least->fine)
-        stretch_around(s, apart, from, to);
+    else if (stretch_is_around(s->m, s->center, s->least->fine))
+        stretch_around(s, motion_distance(s->center, s->m->leg.center), from, to);
     else
         stretch_beside(s, from, to);
 }

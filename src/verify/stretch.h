@@ -2,7 +2,8 @@
 /*
  * The least clearance of a motion to a disc while it grows by one polynomial R: f(t) = |x(t) - O| - R(t).
  *
- * Around the motion's own centre f is r(t) - R(t), a polynomial: its Bernstein coefficients bound it.
+ * Around the motion's own centre O' f is r(t) - R(t), a polynomial: its Bernstein coefficients bound it. Where O is beside that by e, |x - O| - |x - O'| comes to it, which
+ * is at most e in size and, as the directions to both differ by no more than 2 e / (|x - O| + |x - O'|), changes at most at w e / (least r - e / 2).
  *
  * Else the time is halved until a part [a, b] holds nothing lower, by more than the resolution, than what was found. With the greatest speed w, and rates
  * between V0 and V1 and a least R'' on the part (Bernstein coefficients again) two bounds hold:
@@ -28,6 +29,9 @@ typedef struct stretch {
     uint32_t disc;
     swell_piece piece;
 } stretch;
+
+/* Does the motion go around a centre, to a small share of its radius or to the resolution `fine`? */
+int stretch_is_around(const motion *m, tdsp_point center, double fine);
 
 /* Lower `least` by the motion between two times elapsed, while the piece holds. */
 void stretch_clear(const stretch *s, double from, double to);

@@ -14,10 +14,10 @@ tdsp_status table_last_reason(const tdsp_table *table)
 table_path table_row_path(const tdsp_table *table, uint64_t row)
 {
     table_path path = {0, 0};
-    if (table->waypoint_count == 0) return path;
     const unsigned char *p = table_waypoint_bounds(table, row);
     uint64_t first = bytes_get_u32(p);
     uint64_t end = bytes_get_u32(p + 4);
+    /* Where there are no waypoints this holds whatever was read. */
     if (end > table->waypoint_count || end < first + 2) return path;
     path.first = first;
     path.legs = table->joint == 1 ? end - first - 1 : (end - first) / 2;

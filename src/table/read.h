@@ -55,7 +55,7 @@ static inline uint32_t table_header_u32(const tdsp_table *table, size_t at)
 /* Why there is no answer after the last departure. */
 tdsp_status table_last_reason(const tdsp_table *table);
 
-/* The entries of a row and of the next in the index of waypoints, in that of opaque bytes; not where there is none. */
+/* The entries of a row and of the next in the index of waypoints, in that of opaque bytes; any bytes where there is none. */
 static inline const unsigned char *table_waypoint_bounds(const tdsp_table *table, uint64_t row)
 {
     return table_at(table, table->first_waypoint + 4 * row, 8);

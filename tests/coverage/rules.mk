@@ -17,7 +17,7 @@ COVERAGE_REPORT = $(PYTHON) tests/coverage/report.py --profiles $(COVERAGE_BUILD
 COVERAGE_OBJECTS = $(COVERAGE_BUILD)/libtdsp.so $(COVERAGE_BUILD)/tdsp $(LINE_TESTS:%=$(COVERAGE_BUILD)/tests/unit/test_%)
 
 # The freestanding line by itself, and the unit tests that are about it: those must cover it without the help of others.
-LINE_TESTS := angle bytes contact contact_wide curve_table forged gap_table guide law math matrix matrix_edges outward path polynomial polynomial_edges query query_edges query_paths reopen single skyline spiral status table table_edges tangent tangent_ends
+LINE_TESTS := angle bytes contact contact_wide curve_table forged gap_table guide law math matrix matrix_edges outward path polynomial polynomial_edges query query_edges query_paths reopen single skyline spiral status table table_edges table_versions tangent tangent_ends
 LINE := $(COVERAGE_BUILD)/line
 LINE_PROGRAMS := $(LINE_TESTS:%=$(LINE)/test_%)
 LINE_FLAGS := -std=c99 -O1 -fPIC -ffp-contract=off -fno-math-errno -fprofile-instr-generate -fcoverage-mapping -fcoverage-mcdc

@@ -31,7 +31,7 @@ faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000,
 
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.
-SHORT_LEFT_OUT := angle bernstein bytes contact contact_wide geodesic georeference instant law margin_touch path path_json path_points polynomial polynomial_edges skyline spiral status tangent tangent_ends curve_table guide query query_paths table table_edges
+SHORT_LEFT_OUT := angle bernstein bytes contact contact_wide geodesic georeference instant law margin_touch path path_json path_points polynomial polynomial_edges skyline spiral status tangent tangent_ends curve_table guide query query_paths table table_edges table_versions
 FAULTS_SHORT := FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=100 FAULTS_ONCE_ONLY=1
 FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
 run-faults: $(CHECK)/faults/allocations.result

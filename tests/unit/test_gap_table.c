@@ -63,6 +63,24 @@ static size_t gaps_at(const unsigned char *bytes)
     return (size_t)bytes_get_u64(bytes + format_at_offset(FORMAT_GAPS));
 }
 
+/* A later version may put anything behind the last gap, such as what looks like the gap of a jump that comes without. */
+static void what_stands_behind_the_last_gap_is_no_gap(void **state)
+{
+    (void)state;
+    size_t length;
+    unsigned char *bytes = squeeze_bytes(&length);
+    tdsp_table table;
+    tdsp_jump jump;
+    bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
+    bytes_put_u64(bytes + format_at_offset(FORMAT_GAPS) + FORMAT_FURTHER_AT_COUNT, 1);
+    golden_seal(bytes, length);
+    assert_int_equal(tdsp_table_open(&table, bytes, length), TDSP_OK);
+    assert_int_equal(tdsp_table_previous_jump(&table, 6.0, &jump), TDSP_OK);
+    assert_int_equal(jump.row, 2);
+    assert_int_equal(jump.gap.first, TDSP_NO_DISC);
+    free(bytes);
+}
+
 static void refused(size_t at, uint64_t value)
 {
     size_t length;
@@ -257,6 +275,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_jump_comes_with_its_gap_where_the_table_says_it),
         cmocka_unit_test(a_table_that_does_not_say_it_has_jumps_without_gaps),
+        cmocka_unit_test(what_stands_behind_the_last_gap_is_no_gap),
         cmocka_unit_test(wrong_gaps_are_refused),
         cmocka_unit_test(the_writer_takes_gaps_in_order_and_of_rows_that_it_has),
         cmocka_unit_test(the_sampler_asks_about_each_jump_and_keeps_what_it_is_told),

@@ -179,6 +179,26 @@ static void ask_everything(const tdsp_table *table)
     (void)tdsp_table_departures(table, times, TIMES, low, high, NULL);
 }
 
+/* The last departures become 0 after opening: nothing is as late as what is asked for but what stands behind them, which is travel times. */
+static void of_changed_departures_no_row_is_found_that_is_none(void **state)
+{
+    (void)state;
+    for (size_t changed = 1; changed < 20; changed++) {
+        writer_row rows[20];
+        brink b;
+        uint64_t row;
+        for (size_t i = 0; i < 20; i++) rows[i] = (writer_row){0.5 * (double)i, 1000, i < 19 ? 1000 : INFINITY, NULL, 0, NULL, 0};
+        tdsp_table table = open_rows(golden_tables[CROWD].header, rows, 20, &b);
+        assert_true(table.by_departure.cells > 20);
+        memset(b.bytes + table.departures + 8 * (20 - changed), 0, 8 * changed);
+        for (size_t i = 1; i < 20; i++) {
+            assert_int_equal(tdsp_table_find(&table, rows[i].departure, &row), TDSP_OK);
+            assert_in_range(row, 0, 19);
+        }
+        brink_free(b);
+    }
+}
+
 /* Of ones, of zeros, of small numbers, and by chance; behind the header, or in one section only. */
 static void change(uint64_t *chance, const tdsp_table *table, unsigned char *bytes, int trial)
 {
@@ -217,6 +237,7 @@ int main(void)
         cmocka_unit_test(a_path_of_no_legs_needs_no_room),
         cmocka_unit_test(departures_are_bounded_by_the_last_row_that_may_be_followed_however_many_lie_between),
         cmocka_unit_test(departures_up_to_a_horizon_are_bounded_without_a_read_behind_it),
+        cmocka_unit_test(of_changed_departures_no_row_is_found_that_is_none),
         cmocka_unit_test(no_question_about_changed_bytes_reads_behind_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "base/bytes.h"
+#include "support/brink.h"
 #include "support/golden.h"
-#include "support/walk.h"
 #include "table/check.h"
 #include "table/format.h"
 #include "tdsp/table.h"
@@ -42,82 +42,6 @@ static void assert_refused(edge e)
 {
     assert_int_equal(edge_open(e), TDSP_BAD_TABLE);
     free(e.bytes);
-}
-
-/* ------------------------------------------------------------------------------------------------------ later versions */
-
-/* The table as a later version would have it, with eight bytes more behind each section: a number for each. */
-static edge edge_spaced(size_t which, const uint64_t behind[FORMAT_SECTIONS_2])
-{
-    edge e = edge_of(which), spaced;
-    size_t at = bytes_get_u32(e.bytes + FORMAT_AT_HEADER_LENGTH);
-    spaced.length = e.length + 8 * FORMAT_SECTIONS_2;
-    spaced.bytes = malloc(spaced.length);
-    assert_non_null(spaced.bytes);
-    assert_int_equal(bytes_get_u16(e.bytes + FORMAT_AT_MINOR), FORMAT_MINOR);
-    memcpy(spaced.bytes, e.bytes, at);
-    for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
-        size_t next = i + 1 < FORMAT_SECTIONS_2 ? (size_t)bytes_get_u64(e.bytes + format_at_offset(i + 1)) : e.length;
-        memcpy(spaced.bytes + at + 8 * i, e.bytes + at, next - at);
-        bytes_put_u64(spaced.bytes + next + 8 * i, behind[i]);
-        bytes_put_u64(spaced.bytes + format_at_offset(i), at + 8 * i);
-        at = next;
-    }
-    bytes_put_u16(spaced.bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
-    bytes_put_u64(spaced.bytes + FORMAT_AT_LENGTH, spaced.length);
-    free(e.bytes);
-    return spaced;
-}
-
-static void assert_same_jumps(const tdsp_table *a, const tdsp_table *b)
-{
-    const double times[] = {0, 0.5, 1.5, 2.5, 1e9};
-    for (size_t i = 0; i < sizeof times / sizeof times[0]; i++) {
-        tdsp_jump one, other;
-        memset(&one, 0, sizeof one);
-        memset(&other, 0, sizeof other);
-        assert_int_equal(tdsp_table_next_jump(a, times[i], &one), tdsp_table_next_jump(b, times[i], &other));
-        assert_memory_equal(&one, &other, sizeof one);
-        assert_int_equal(tdsp_table_previous_jump(a, times[i], &one), tdsp_table_previous_jump(b, times[i], &other));
-        assert_memory_equal(&one, &other, sizeof one);
-    }
-}
-
-static void assert_same_tables(const tdsp_table *a, const tdsp_table *b)
-{
-    assert_int_equal(a->rows, b->rows);
-    for (uint64_t i = 0; i < a->rows; i++) {
-        tdsp_row row, same;
-        assert_int_equal(tdsp_table_row(a, i, &row), TDSP_OK);
-        assert_int_equal(tdsp_table_row(b, i, &same), TDSP_OK);
-        assert_memory_equal(&row, &same, sizeof row);
-    }
-    assert_same_jumps(a, b);
-    assert_null(walk_table(b));
-}
-
-/* Numbers that would be a row, a jump, or a gap of each row, were they read as such. */
-static void a_later_version_may_put_anything_behind_any_section(void **state)
-{
-    (void)state;
-    uint64_t behind[FORMAT_SECTIONS_2];
-    for (size_t which = SWELL; which <= SQUEEZE; which++) {
-        for (uint64_t k = 0; k < 8; k++) {
-            for (size_t i = 0; i < FORMAT_SECTIONS_2; i++) {
-                double number = 1e6 * (double)(i + 1);
-                behind[i] = k;
-                if (k == 7) memcpy(&behind[i], &number, 8);
-            }
-            edge e = edge_of(which), spaced = edge_spaced(which, behind);
-            tdsp_table table, told;
-            assert_int_equal(edge_open(spaced), TDSP_OK);
-            assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
-            assert_int_equal(tdsp_table_open(&told, spaced.bytes, spaced.length), TDSP_OK);
-            assert_same_tables(&table, &told);
-            free(e.bytes);
-            free(spaced.bytes);
-        }
-    }
 }
 
 /* -------------------------------------------------------------------------------------------------------- header, rows */
@@ -228,15 +152,16 @@ static void every_arc_is_looked_at_not_only_the_first(void **state)
     }
 }
 
-/* The second waypoint begins an arc instead of the first curve, which no leg has then. */
-static void a_curve_that_no_leg_has_is_looked_at_too(void **state)
+/* The waypoints that begin the curves begin an arc instead: no leg has a curve then. */
+static void curves_that_no_leg_has_are_looked_at_too(void **state)
 {
     (void)state;
-    for (int wrong = 0; wrong < 2; wrong++) {
+    const size_t begins[] = {1, 2, 6};
+    for (size_t wrong = 0; wrong <= 3; wrong++) {
         edge e = edge_of(SWELL);
-        bytes_put_u32(edge_section(e, FORMAT_WAYPOINTS) + FORMAT_WAYPOINT_SIZE + FORMAT_WAYPOINT_AT_ARC, 0);
-        if (wrong) bytes_put_f64(edge_section(e, FORMAT_CURVES) + FORMAT_ARC_AT_CENTER, NAN);
-        assert_int_equal(edge_open(e), wrong ? TDSP_BAD_TABLE : TDSP_OK);
+        for (size_t i = 0; i < 3; i++) bytes_put_u32(edge_section(e, FORMAT_WAYPOINTS) + FORMAT_WAYPOINT_SIZE * begins[i] + FORMAT_WAYPOINT_AT_ARC, 0);
+        if (wrong < 3) bytes_put_f64(edge_section(e, FORMAT_CURVES) + FORMAT_CURVE_SIZE * wrong + FORMAT_ARC_AT_CENTER, NAN);
+        assert_int_equal(edge_open(e), wrong < 3 ? TDSP_BAD_TABLE : TDSP_OK);
         free(e.bytes);
     }
 }
@@ -300,6 +225,39 @@ static void a_guide_of_one_row_looks_at_no_row_behind_it(void **state)
     table.by_departure = (tdsp_guide){.cells = 1, .scale = 1.0, .last = 0, .bases = e.length, .counts = e.length + 8};
     assert_true(check_guides(&table));
     free(longer);
+}
+
+/* Two rows in the cells 0 and 1, right before memory that must not be read, and a third cell. */
+static void a_guide_that_goes_on_behind_the_last_row_is_refused_without_a_read_behind_it(void **state)
+{
+    (void)state;
+    unsigned char bytes[32] = {0};
+    const unsigned char counts[3] = {0, 1, 2};
+    bytes_put_u32(bytes + 4, 2);
+    memcpy(bytes + 8, counts, sizeof counts);
+    bytes_put_f64(bytes + 24, 1.0);
+    brink b = brink_of(bytes, sizeof bytes);
+    tdsp_table table = {.bytes = b.bytes, .length = sizeof bytes, .rows = 2, .departures = 16};
+    for (uint64_t cells = 2; cells <= 3; cells++) {
+        table.by_departure = (tdsp_guide){.cells = cells, .scale = 1.0, .last = 1.0, .bases = 0, .counts = 8};
+        assert_int_equal(check_guides(&table), cells == 2);
+    }
+    brink_free(b);
+}
+
+/* Its bits are those of a great number. */
+static void a_table_of_one_row_at_minus_0_answers_departure_0_only(void **state)
+{
+    (void)state;
+    edge e = edge_of(STILL);
+    tdsp_table table;
+    uint64_t row;
+    bytes_put_f64(edge_section(e, FORMAT_DEPARTURES), -0.0);
+    golden_seal(e.bytes, e.length);
+    assert_int_equal(tdsp_table_open(&table, e.bytes, e.length), TDSP_OK);
+    assert_int_equal(tdsp_table_find(&table, 0.0, &row), TDSP_OK);
+    assert_int_equal(tdsp_table_find(&table, 1.0, &row), golden_tables[STILL].header.last_reason);
+    free(e.bytes);
 }
 
 /* The second block of cells as if it started a row earlier, and each of its cells a row later than that. */
@@ -376,7 +334,6 @@ static void a_table_without_guides_is_not_read_as_if_it_had_some(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_later_version_may_put_anything_behind_any_section),
         cmocka_unit_test(what_must_be_equal_is_not_equal_to_no_number),
         cmocka_unit_test(a_travel_time_below_0_is_refused_though_arrivals_are_in_order),
         cmocka_unit_test(a_travel_time_that_falls_is_refused_though_every_right_one_is_below_it),
@@ -385,10 +342,12 @@ int main(void)
         cmocka_unit_test(a_path_that_ends_before_it_begins_is_refused),
         cmocka_unit_test(where_a_leg_ends_and_the_next_has_a_waypoint_of_its_own_no_arc_begins),
         cmocka_unit_test(every_arc_is_looked_at_not_only_the_first),
-        cmocka_unit_test(a_curve_that_no_leg_has_is_looked_at_too),
+        cmocka_unit_test(curves_that_no_leg_has_are_looked_at_too),
         cmocka_unit_test(a_radius_below_0_or_a_rate_over_the_speed_is_refused_however_small_the_curve_looks),
         cmocka_unit_test(a_guide_of_one_cell_needs_a_scale_over_0),
         cmocka_unit_test(a_guide_of_one_row_looks_at_no_row_behind_it),
+        cmocka_unit_test(a_guide_that_goes_on_behind_the_last_row_is_refused_without_a_read_behind_it),
+        cmocka_unit_test(a_table_of_one_row_at_minus_0_answers_departure_0_only),
         cmocka_unit_test(a_block_that_does_not_start_where_its_first_cell_does_is_refused),
         cmocka_unit_test(a_guide_to_arrivals_that_fall_by_a_rounding_within_a_cell_is_refused),
         cmocka_unit_test(a_table_without_guides_is_not_read_as_if_it_had_some),

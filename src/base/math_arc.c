@@ -84,8 +84,7 @@ static arc_part arc_of_extremes(double y, double x, int behind)
 {
     double small = y > x ? x : y, big = y > x ? y : x;
     if (small == big && big > 0.0) small = big = 1.0;
-    if (big > DBL_MAX) small = 0.0;
-    if (small == 0.0 || small / big < 0x1p-100) {
+    if (!(small / big >= 0x1p-100)) { /* 0 / 0 too */
         if (y > x) return arc_bases[1];
         arc_part flat = {big > 0.0 ? small / big : 0.0, 0.0};
         return behind ? arc_bases[2] : flat;

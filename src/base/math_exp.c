@@ -39,7 +39,7 @@ static const exp_part exp_nodes[32] = {
     {0x1.f50765b6e4p+0, 0x1.5019d3e12dd8ap-42},
 };
 
-/* exp(x) = 2^power (high + low), for |x| < 800. */
+/* exp(x) = 2^power (high + low), for |x| < 800. Of a NaN `low` is one, whatever `power`. */
 static inline exp_part exp_of(double x, int *power)
 {
     double n = x * EXP_STEPS + EXP_ROUND;
@@ -55,7 +55,6 @@ static inline exp_part exp_of(double x, int *power)
 
 double math_exp(double x)
 {
-    if (x != x) return x;
     if (x > 710.0) return INFINITY;
     if (x < -746.0) return 0.0;
     int power;
@@ -68,7 +67,7 @@ double math_exp(double x)
 /* exp(x) - 1 where one of the two may drown in the other. */
 static double exp_less_one_wide(double x)
 {
-    if (x > 50.0 || x != x) return math_exp(x);
+    if (x > 50.0) return math_exp(x);
     if (x < -50.0) return -1.0;
     int power;
     exp_part found = exp_of(x, &power);

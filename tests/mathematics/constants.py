@@ -198,9 +198,9 @@ def arc_bases():
 
 
 def two_over_pi():
-    """The bits of 2 / pi behind the point, 32 a word."""
+    """The bits of 2 / pi from 64 before the point on, 32 a word."""
     bits = int(fractions.Fraction(2 / long_pi()) * 2**1184)
-    return [bits >> (1184 - 32 * (i + 1)) & 0xffffffff for i in range(37)]
+    return [bits >> (1184 - 32 * i) & 0xffffffff for i in range(-1, 38)]
 
 
 def long_pi():

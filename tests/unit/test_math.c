@@ -118,6 +118,14 @@ static void an_angle_next_to_a_multiple_of_a_quarter_turn_keeps_its_bits(void **
     assert_exact(math_sin(0x1.921fb54442d18p+2), -0x1.1a62633145c07p-52);
 }
 
+/* Within 0.012 units of the middle: a term less, or more, gives the other one. */
+static void a_result_next_to_the_middle_of_two_doubles_is_the_nearer_one(void **state)
+{
+    (void)state;
+    assert_exact(math_sin(0x1.b175539fda893p-2), 0x1.a4a10e12c7ba3p-2);
+    assert_exact(math_log1p(0x1.3ca8a75335d53p+53), 0x1.2798782fe74ap+5);
+}
+
 /* Where one formula gives way to another, and between: no step the wrong way. */
 static void assert_rises(double (*function)(double), double x, int steps, double direction)
 {
@@ -195,6 +203,7 @@ int main(void)
         cmocka_unit_test(both_is_what_sine_and_cosine_say_and_they_are_odd_and_even),
         cmocka_unit_test(angles_turned_over_an_axis_are_to_the_bit_what_they_were),
         cmocka_unit_test(an_angle_next_to_a_multiple_of_a_quarter_turn_keeps_its_bits),
+        cmocka_unit_test(a_result_next_to_the_middle_of_two_doubles_is_the_nearer_one),
         cmocka_unit_test(functions_rise_where_their_formulas_meet),
         cmocka_unit_test(the_smaller_and_the_larger_number_are_told_also_of_zeros_and_nans),
         cmocka_unit_test(the_bits_are_those_recorded),

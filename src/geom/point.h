@@ -76,11 +76,11 @@ static inline tdsp_point point_unit(double angle)
     return point_make(cosine, sine);
 }
 
-/* An angle's value in [0, 2 pi). */
+/* An angle's value in [0, 2 pi); where rounding leads out of that it is 0. */
 static inline double angle_positive(double angle)
 {
     double turned = angle - GEOM_TURN * floor(angle / GEOM_TURN);
-    return turned < GEOM_TURN ? turned : 0.0;
+    return turned > 0.0 && turned < GEOM_TURN ? turned : 0.0;
 }
 
 #endif

@@ -74,6 +74,20 @@ static void an_angle_within_three_half_turns_is_wrapped_into_one(void **state)
     assert_exact(angle_wrap(-GEOM_PI), -GEOM_PI);
 }
 
+/* Also a multiple of a whole turn that rounding takes for the one before or behind, and what is so little below 0 that a whole turn more is a whole turn. */
+static void an_angle_made_positive_is_below_a_whole_turn(void **state)
+{
+    (void)state;
+    for (int k = -30000; k <= 30000; ++k) {
+        double angle = 50.0 * GEOM_TURN * k / 30000.0, positive = angle_positive(angle);
+        assert_true(positive >= 0.0 && positive < GEOM_TURN);
+        assert_near(cos(positive), cos(angle), 1e-12);
+        assert_near(sin(positive), sin(angle), 1e-12);
+    }
+    assert_exact(angle_positive(-1e-17), 0.0);
+    assert_exact(angle_positive(GEOM_TURN), 0.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -83,6 +97,7 @@ int main(void)
         cmocka_unit_test(beyond_its_ends_an_arc_sine_is_a_right_angle),
         cmocka_unit_test(no_cheap_angle_is_farther_off_than_all_are_said_to_be),
         cmocka_unit_test(an_angle_within_three_half_turns_is_wrapped_into_one),
+        cmocka_unit_test(an_angle_made_positive_is_below_a_whole_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -226,10 +226,11 @@ static int touch_moment(const geom_ride *ride, const geom_disc *other, double *t
 {
     double from = ride->start, to = ride->end, a = touch_gap(ride, other, from), b = touch_gap(ride, other, to);
     double s0 = disc_radius(ride->disc, from) + disc_radius(other, from), s1 = disc_radius(ride->disc, to) + disc_radius(other, to);
-    double sizes = s0 > s1 ? s0 : s1, near = TOUCH_GAP * sizes * tolerance_touch(other->center, sizes);
-    if ((a > near && b > near) || (a < -near && b < -near)) return 0;
+    double sizes = math_max(s0, s1), near = TOUCH_GAP * sizes * tolerance_touch(other->center, sizes);
+    if (math_min(a, b) > near || math_max(a, b) < -near) return 0;
     *time = fabs(a) < fabs(b) ? from : to;
-    for (int step = 0; step < 60 && (a > 0.0) != (b > 0.0); ++step) {
+    if ((a > 0.0) == (b > 0.0)) return 1;
+    for (int step = 0; step < 60; ++step) {
         *time = 0.5 * (from + to);
         double middle = touch_gap(ride, other, *time);
         if ((middle > 0.0) == (a > 0.0))

@@ -180,7 +180,7 @@ static void search_run(root_search *search)
 {
     double now[POLYNOMIAL_DEGREE + 1], later[DEPTH + 1][POLYNOMIAL_DEGREE + 1]; /* later[d]: the right half that waits at depth d */
     int n = search->scaled.p.degree, depth = 0;
-    uint64_t place = 0; /* the interval is number `place` of 2^depth */
+    int64_t place = 0; /* the interval is number `place` of 2^depth */
     bernstein_form(&search->scaled, now);
     for (;;) {
         sign_count signs = bernstein_signs(n, now);
@@ -243,8 +243,7 @@ static int polynomial_sign_within(const polynomial *p, double from, double to)
 {
     scaled_polynomial scaled;
     (void)polynomial_scale(p, from, to, &scaled);
-    double value = polynomial_value(&scaled.p, scaled.to);
-    if (value == 0.0) value = polynomial_value(&scaled.p, 0.5 * (scaled.from + scaled.to));
+    double value = polynomial_value(&scaled.p, 0.5 * (scaled.from + scaled.to));
     return (value > 0.0) - (value < 0.0);
 }
 

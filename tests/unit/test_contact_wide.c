@@ -7,6 +7,7 @@
 
 #include "geom/contact.h"
 #include "geom/spiral.h"
+#include "geom/tolerance.h"
 #include "support/chance.h"
 
 /* ----------------------------------------------------------------------------------------------------- where a ride ends */
@@ -276,6 +277,15 @@ static void a_boundary_as_fast_as_the_robot_or_faster_runs_along_its_normal(void
     }
 }
 
+static void a_touch_is_a_share_of_the_sizes_and_of_great_ones_so_much_of_a_journey(void **state)
+{
+    (void)state;
+    const tdsp_point origin = {0.0, 0.0}, far = {-3.0, 4.0};
+    assert_near(tolerance_touch(origin, 1.0), 1e-12 + 4e-15, 1e-27);
+    assert_near(tolerance_touch(origin, 1e6), 5e-10 + 2e-8 + 4e-15, 1e-23);
+    assert_near(tolerance_touch(far, 1.0), 1e-12 + 8 * 4e-15, 1e-27);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -290,6 +300,7 @@ int main(void)
         cmocka_unit_test(a_line_from_outside_meets_a_disc_where_their_boundaries_meet),
         cmocka_unit_test(a_disc_that_has_shrunk_to_nothing_stays_nothing),
         cmocka_unit_test(a_boundary_as_fast_as_the_robot_or_faster_runs_along_its_normal),
+        cmocka_unit_test(a_touch_is_a_share_of_the_sizes_and_of_great_ones_so_much_of_a_journey),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,10 +35,23 @@ static void a_last_term_far_below_the_others_does_not_scale_them(void **state)
 static void a_first_root_does_not_depend_on_terms_that_are_zero(void **state)
 {
     (void)state;
-    const polynomial leading = {2, {-0x1p60, 1.0, 0.0}}, lowest = {2, {0.0, -0x1p-60, 1.0}}, lacking = {4, {-0x1p40, 0.0, 0.0, 0.0, 1.0}};
-    assert_near(polynomial_first_root(&leading), 0x1p60, 0x1p10);
-    assert_near(polynomial_first_root(&lowest), 0x1p-60, 0x1p-110);
+    const polynomial leading[] = {{2, {-0x1p60, 1.0, 0.0}}, {3, {-0x1p60, 1.0, 0.0, 0.0}}}, lacking = {4, {-0x1p40, 0.0, 0.0, 0.0, 1.0}};
+    const polynomial lowest[] = {{2, {0.0, -0x1p-60, 1.0}}, {3, {0.0, 0.0, -0x1p-60, 1.0}}};
+    for (int i = 0; i < 2; ++i) {
+        assert_near(polynomial_first_root(&leading[i]), 0x1p60, 0x1p10);
+        assert_near(polynomial_first_root(&lowest[i]), 0x1p-60, 0x1p-110);
+    }
     assert_near(polynomial_first_root(&lacking), 0x1p10, 0x1p-40);
+}
+
+/* (x - 2^-60) (x - 2^-61): an interval is halved 47 times, and what is closer to its end is one sign. */
+static void roots_far_smaller_than_the_interval_are_not_told_apart(void **state)
+{
+    (void)state;
+    double roots[POLYNOMIAL_DEGREE];
+    const polynomial p = {2, {0x1p-121, -0x3p-61, 1.0}};
+    assert_int_equal(polynomial_roots(&p, 0.0, 1.0, roots), 0);
+    assert_int_equal(polynomial_roots(&p, 0.0, 0x1p-20, roots), 2);
 }
 
 /* One term says that roots are at most 2^6, the other knows better. */
@@ -121,6 +134,7 @@ int main(void)
         cmocka_unit_test(a_term_that_is_missing_does_not_hide_how_small_the_others_are),
         cmocka_unit_test(a_last_term_far_below_the_others_does_not_scale_them),
         cmocka_unit_test(a_first_root_does_not_depend_on_terms_that_are_zero),
+        cmocka_unit_test(roots_far_smaller_than_the_interval_are_not_told_apart),
         cmocka_unit_test(a_first_root_is_looked_for_as_far_as_any_term_says),
         cmocka_unit_test(a_first_root_just_over_its_bound_is_found),
         cmocka_unit_test(a_first_root_at_the_end_of_the_first_interval_is_found),

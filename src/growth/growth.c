@@ -289,7 +289,7 @@ double growth_still_from(const growth_solver *self)
     for (uint32_t i = 0; i < self->engine.shape_count; ++i) {
         const growth_shape *shape = &self->engine.shapes[i];
         const law_piece *last = &shape->pieces[shape->piece_count - 1];
-        if (last->degree == 0) still = math_max(still, last->start);
+        still = math_max(still, last->degree == 0 ? last->start : INFINITY);
     }
     return still * self->scene->time;
 }

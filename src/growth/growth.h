@@ -33,7 +33,7 @@ tdsp_status growth_arrival(growth_solver *self, const scene_ends *ends, double d
 /* Let the last answer be one without a path. */
 void growth_forget(growth_solver *self);
 
-/* When the last law that stops growing does so. */
+/* When the last law stops growing; infinite where one never does, however slowly. */
 double growth_still_from(const growth_solver *self);
 
 /* The latest departure whose path, without waiting, ends exactly at this arrival; negative when there is none. TDSP_OK or TDSP_NO_MEMORY. */

@@ -111,12 +111,13 @@ static tdsp_status general_search(general_state *state)
     return status == TDSP_OK ? general_bisect(state) : status;
 }
 
-/* No arrival is asked for and no disc ever covers the destination: then nothing grows any more from some time on. */
+/* No arrival is asked for and no disc ever covers the destination: nothing grows any more from some time on, or so slowly that doubles do not say when it covers anything. */
 static tdsp_status general_endless(general_state *state)
 {
     tdsp_solver *solver = state->solver;
     double covered = solver->ends.source_cover.time, last = math_min(covered, growth_still_from(solver->growth));
-    tdsp_status status;
+    tdsp_status status = general_check(solver, last);
+    if (status != TDSP_OK || isinf(last)) return status == TDSP_OK ? TDSP_NOT_SUPPORTED : status;
     state->scale += last;
     if (general_try(state, last, &status) && isinf(covered)) state->best = state->arrives = INFINITY;
     if (status == TDSP_OK && state->best < 0.0 && last > 0.0) general_try(state, 0.0, &status);

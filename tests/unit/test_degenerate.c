@@ -258,6 +258,27 @@ static void a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure(voi
     tdsp_scene_free(scene);
 }
 
+/* The destination is covered later than doubles say, the source not; or neither is. That nothing grew any more was concluded, and the last departure was 0, or there was none. */
+static void a_disc_that_grows_on_beyond_doubles_ends_the_departures_where_it_covers_the_source(void **state)
+{
+    (void)state;
+    static const double times[] = {0.0, 1.0}, rates[] = {2e-306, 1e-306};
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {1000.0, 0.0}};
+    for (int far = 0; far < 2; far++) {
+        const tdsp_growing_disc disc = {{0.0, far ? -1e5 : -1.0}, 1.0 - 0x1p-52, {.kind = TDSP_GROWTH_RATES, .count = 2, .times = times, .values = rates}};
+        tdsp_scene *scene;
+        tdsp_solver *solver;
+        tdsp_last_departure last = {.departure = -1.0};
+        assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+        assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+        assert_int_equal(tdsp_solver_last_departure(solver, &last), far ? TDSP_NOT_SUPPORTED : TDSP_OK);
+        if (!far) assert_int_equal(last.reason, TDSP_SOURCE_COVERED);
+        if (!far) assert_near(last.departure / (0x1p-52 / 1e-306), 1.0, 1e-9);
+        tdsp_solver_free(solver);
+        tdsp_scene_free(scene);
+    }
+}
+
 /* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
 static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
 {
@@ -331,6 +352,7 @@ int main(void)
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
         cmocka_unit_test(a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure),
+        cmocka_unit_test(a_disc_that_grows_on_beyond_doubles_ends_the_departures_where_it_covers_the_source),
         cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),
         cmocka_unit_test(a_source_inside_a_disc_that_hardly_grows_is_covered),
         cmocka_unit_test(a_disc_at_the_end_of_the_world_is_refused),

@@ -6,6 +6,8 @@
  * table of that length leads any function asked here to read or write outside its objects, to read what was never set, or
  * into any other undefined behaviour. The bytes are an object of exactly LENGTH bytes: one byte farther is outside.
  *
+ * The length that is told is any from LENGTH to LONGEST, which is LENGTH by itself: what holds of a told length and fewer bytes holds of as many bytes.
+ *
  * Eva keeps bounds of each number, not how two of them belong together. That a row's place is inside the bytes needs the number of rows, so it is
  * taken case by case: each number that the bytes have room for, and all the others, which opening has to refuse.
  */
@@ -96,11 +98,16 @@ static void ask(const tdsp_table *table)
     ask_legs();
 }
 
+static size_t told_length(void)
+{
+    return LENGTH == LONGEST ? LENGTH : (size_t)Frama_C_interval(LENGTH, LONGEST);
+}
+
 /* OPEN: tdsp_table_open or tdsp_table_reopen. */
 static void open_and_ask(const unsigned char *bytes)
 {
     tdsp_table table = {0};
-    if (OPEN(&table, bytes, LENGTH) == TDSP_OK) ask(&table);
+    if (OPEN(&table, bytes, told_length()) == TDSP_OK) ask(&table);
 }
 
 #if LENGTH >= FORMAT_AT_ROWS + 8

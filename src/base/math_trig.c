@@ -10,6 +10,7 @@
  * with S and C in two doubles each from a table. What is added to the first term is at most 1/15 of it, and its roundings therefore little: the error
  * is below 0.65 units in the last place.
  */
+#include "base/apart.h"
 #include "base/math.h"
 #include "base/math_reduce.h"
 
@@ -48,11 +49,9 @@ static const trig_node trig_nodes[18] = {
     {0x1.6888a4e134b2fp-1, -0x1.6b7d37644d5e6p-55, 0x1.6b898fa9efb5dp-1, 0x1.15ac786ccf4b2p-56},
 };
 
-/* x >= 0 less a multiple of a quarter turn. */
-static inline reduce_rest trig_reduce(double x)
+static APART reduce_rest trig_reduce_near(double x)
 {
     static const double trig_half_pi[3] = {0x1.921fb5444p+0, 0x1.68c234c4cp-39, 0x1.98a2e03707345p-77};
-    if (!(x < REDUCE_FAR)) return reduce_far(x);
     double n = x * TRIG_TWO_OVER_PI + TRIG_ROUND;
     reduce_rest rest = {0.0, 0.0, (unsigned)(math_bits(n) & 3)};
     n -= TRIG_ROUND;
@@ -61,6 +60,12 @@ static inline reduce_rest trig_reduce(double x)
     rest.high = r + error;
     rest.low = (r - rest.high) + error;
     return rest;
+}
+
+/* x >= 0 less a multiple of a quarter turn. */
+static inline reduce_rest trig_reduce(double x)
+{
+    return x < REDUCE_FAR ? trig_reduce_near(x) : reduce_far(x);
 }
 
 /* An angle of at most pi / 4, not negative, as near or as node and step, with what both functions take of it. */
@@ -140,12 +145,18 @@ double math_cos(double x)
     return rest.quarters & 1 ? math_turned(trig_sine_of(&angle), turned ^ sign) : math_turned(trig_cosine_of(&angle), turned);
 }
 
-void math_sincos(double x, double *sine, double *cosine)
+/* Of a rest, a sine whose sign is turned by `turned` beside. */
+static APART void trig_both_of_rest(const reduce_rest *rest, uint64_t turned, double *sine, double *cosine)
 {
     uint64_t sign;
-    reduce_rest rest = trig_reduce(fabs(x));
-    trig_angle angle = trig_angle_of_rest(&rest, &sign);
+    trig_angle angle = trig_angle_of_rest(rest, &sign);
     double s = math_turned(trig_sine_of(&angle), sign), c = trig_cosine_of(&angle);
-    *sine = math_turned(rest.quarters & 1 ? c : s, trig_half_turn(rest.quarters) ^ (math_bits(x) & MATH_SIGN));
-    *cosine = math_turned(rest.quarters & 1 ? s : c, trig_half_turn(rest.quarters + 1));
+    *sine = math_turned(rest->quarters & 1 ? c : s, trig_half_turn(rest->quarters) ^ turned);
+    *cosine = math_turned(rest->quarters & 1 ? s : c, trig_half_turn(rest->quarters + 1));
+}
+
+void math_sincos(double x, double *sine, double *cosine)
+{
+    reduce_rest rest = trig_reduce(fabs(x));
+    trig_both_of_rest(&rest, math_bits(x) & MATH_SIGN, sine, cosine);
 }

@@ -16,11 +16,13 @@
  *
  *     f(x) = f0 + x (a + x (c / 2 + x ((10 D - 4 E + F / 2) + x ((-15 D + 7 E - F) + x (6 D - 3 E + F / 2)))))
  */
+#include "geom/path.h"
+
+#include "base/apart.h"
+#include "base/math.h"
 #include "tdsp/path.h"
 
-#include "base/math.h"
-
-static double path_arc_share(double radius_from, double radius_to, double x)
+APART double path_arc_share(double radius_from, double radius_to, double x)
 {
     double g = (radius_to - radius_from) / radius_from;
     if (fabs(g) < 1e-8) return x * (1 + g * (1 - x) / 2);
@@ -29,76 +31,68 @@ static double path_arc_share(double radius_from, double radius_to, double x)
     return (math_log(r) - math_log(radius_from)) / (math_log(radius_to) - math_log(radius_from));
 }
 
-/* The place at a distance and an angle from a centre. */
-static tdsp_point path_around(tdsp_point center, double radius, double angle)
+APART void path_go_around(tdsp_point *at, double radius, double angle)
 {
     double sine, cosine;
     math_sincos(angle, &sine, &cosine);
-    tdsp_point p = {center.x + radius * cosine, center.y + radius * sine};
-    return p;
+    at->x += radius * cosine;
+    at->y += radius * sine;
 }
 
-static tdsp_point path_on_arc(const tdsp_leg *leg, double x)
+static APART double path_arc_angle(const tdsp_leg *leg, double x)
 {
-    double r = leg->radius_from + (leg->radius_to - leg->radius_from) * x;
-    double angle = leg->angle_from + leg->turn * leg->sweep * path_arc_share(leg->radius_from, leg->radius_to, x);
-    return path_around(leg->center, r, angle);
+    return leg->angle_from + leg->turn * leg->sweep * path_arc_share(leg->radius_from, leg->radius_to, x);
 }
 
-/* The motion at one end of a curve, per leg's duration instead of per time. */
-typedef struct path_end {
-    double value;
-    double slope;
-    double bend;
-} path_end;
-
-static double path_hermite(const path_end *from, const path_end *to, double x)
+/* D, E and F take the place of `to`. */
+APART double path_hermite(const path_end *from, path_end *to, double x)
 {
-    double d = to->value - from->value - from->slope - from->bend / 2;
-    double e = to->slope - from->slope - from->bend;
-    double f = to->bend - from->bend;
-    double cubic = 10 * d - 4 * e + f / 2 + x * (-15 * d + 7 * e - f + x * (6 * d - 3 * e + f / 2));
+    to->value = to->value - from->value - from->slope - from->bend / 2;
+    to->slope = to->slope - from->slope - from->bend;
+    to->bend = to->bend - from->bend;
+    double cubic = 10 * to->value - 4 * to->slope + to->bend / 2 + x * (-15 * to->value + 7 * to->slope - to->bend + x * (6 * to->value - 3 * to->slope + to->bend / 2));
     return from->value + x * (from->slope + x * (from->bend / 2 + x * cubic));
+}
+
+void path_end_scale(path_end *end, double duration)
+{
+    end->slope *= duration;
+    end->bend *= duration * duration;
 }
 
 /*
  * The angle turned at an end: w = s / r with s = sqrt(v^2 - r'^2), and w' = -r' r'' / (s r) - r' w / r. The factors of s^2 are exact where
  * r' is near v, and so ordered nothing overflows that is not as large itself.
  */
-static path_end path_turned(double turned, double speed, double radius, double rate, double bend, double duration)
+APART void path_end_turn(path_end *end, double turned, double speed, double duration)
 {
+    double radius = end->value, rate = end->slope;
     double across = speed * sqrt((speed - rate) / speed * ((speed + rate) / speed));
     double w = across / radius;
-    path_end end = {turned, w * duration, (-(rate / across) * (bend / radius) - rate / radius * w) * duration * duration};
-    return end;
+    end->value = turned;
+    end->slope = w * duration;
+    end->bend = (-(rate / across) * (end->bend / radius) - rate / radius * w) * duration * duration;
 }
 
-static double path_curve_distance(const tdsp_leg *leg, double duration, double x)
+static APART double path_curve_distance(const tdsp_leg *leg, double duration, double x)
 {
-    double square = duration * duration;
-    path_end from = {leg->radius_from, leg->rate_from * duration, leg->bend_from * square};
-    path_end to = {leg->radius_to, leg->rate_to * duration, leg->bend_to * square};
+    path_end from = {leg->radius_from, leg->rate_from, leg->bend_from}, to = {leg->radius_to, leg->rate_to, leg->bend_to};
+    path_end_scale(&from, duration);
+    path_end_scale(&to, duration);
     return path_hermite(&from, &to, x);
 }
 
-static double path_curve_turned(const tdsp_leg *leg, double duration, double x)
+static APART double path_curve_angle(const tdsp_leg *leg, double duration, double x)
 {
-    path_end from = path_turned(0, leg->speed, leg->radius_from, leg->rate_from, leg->bend_from, duration);
-    path_end to = path_turned(leg->sweep, leg->speed, leg->radius_to, leg->rate_to, leg->bend_to, duration);
-    return path_hermite(&from, &to, x);
+    path_end from = {leg->radius_from, leg->rate_from, leg->bend_from}, to = {leg->radius_to, leg->rate_to, leg->bend_to};
+    path_end_turn(&from, 0, leg->speed, duration);
+    path_end_turn(&to, leg->sweep, leg->speed, duration);
+    return leg->angle_from + leg->turn * path_hermite(&from, &to, x);
 }
 
-static tdsp_point path_on_curve(const tdsp_leg *leg, double duration, double x)
+static APART tdsp_point path_on_line(const tdsp_leg *leg, double x)
 {
-    double r = path_curve_distance(leg, duration, x);
-    double angle = leg->angle_from + leg->turn * path_curve_turned(leg, duration, x);
-    return path_around(leg->center, r, angle);
-}
-
-/* A convex combination, which cannot overflow where a difference of coordinates can. */
-static tdsp_point path_on_line(const tdsp_leg *leg, double x)
-{
-    tdsp_point p = {(1 - x) * leg->from.x + x * leg->to.x, (1 - x) * leg->from.y + x * leg->to.y};
+    tdsp_point p = {path_between(leg->from.x, leg->to.x, x), path_between(leg->from.y, leg->to.y, x)};
     return p;
 }
 
@@ -108,9 +102,10 @@ tdsp_point tdsp_leg_position(const tdsp_leg *leg, double time)
     if (time >= leg->end_time) return leg->to;
     double duration = leg->end_time - leg->start_time;
     double x = (time - leg->start_time) / duration;
+    tdsp_point at = leg->center;
     switch (leg->kind) {
-    case TDSP_LEG_ARC: return path_on_arc(leg, x);
-    case TDSP_LEG_CURVE: return path_on_curve(leg, duration, x);
+    case TDSP_LEG_ARC: path_go_around(&at, path_arc_distance(leg->radius_from, leg->radius_to, x), path_arc_angle(leg, x)); return at;
+    case TDSP_LEG_CURVE: path_go_around(&at, path_curve_distance(leg, duration, x), path_curve_angle(leg, duration, x)); return at;
     default: return path_on_line(leg, x);
     }
 }

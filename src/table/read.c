@@ -15,24 +15,19 @@ table_path table_row_path(const tdsp_table *table, uint64_t row)
 {
     table_path path = {0, 0};
     const unsigned char *p = table_waypoint_bounds(table, row);
-    uint64_t first = bytes_get_u32(p);
-    uint64_t end = bytes_get_u32(p + 4);
+    uint32_t first = bytes_get_u32(p);
+    uint32_t end = bytes_get_u32(p + 4);
     /* Where there are no waypoints this holds whatever was read. */
-    if (end > table->waypoint_count || end < first + 2) return path;
+    if (end > table->waypoint_count || end < (uint64_t)first + 2) return path;
     path.first = first;
     path.legs = table->joint == 1 ? end - first - 1 : (end - first) / 2;
     return path;
 }
 
-static tdsp_point table_point(const unsigned char *p)
+uint32_t table_arc_kind(const tdsp_table *table, uint64_t arc)
 {
-    tdsp_point point = {bytes_get_f64(p), bytes_get_f64(p + 8)};
-    return point;
-}
-
-double table_path_time(const tdsp_table *table, table_path path, uint64_t leg)
-{
-    return bytes_get_f64(table_waypoint(table, path.first + leg * table->joint) + FORMAT_WAYPOINT_AT_TIME);
+    if (arc < table->arc_count) return TDSP_LEG_ARC;
+    return arc - table->arc_count < table->curve_count ? TDSP_LEG_CURVE : TDSP_LEG_LINE;
 }
 
 static void table_add_arc(const unsigned char *p, tdsp_leg *leg)
@@ -50,7 +45,7 @@ static void table_add_arc(const unsigned char *p, tdsp_leg *leg)
 /* A curve begins as an arc. */
 void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
 {
-    const unsigned char *p = table_at(table, table->curves + FORMAT_CURVE_SIZE * curve, FORMAT_CURVE_SIZE);
+    const unsigned char *p = table_curve(table, curve);
     table_add_arc(p, leg);
     leg->kind = TDSP_LEG_CURVE;
     leg->rate_from = bytes_get_f64(p + FORMAT_CURVE_AT_RATE_FROM);
@@ -62,21 +57,18 @@ void table_add_curve(const tdsp_table *table, uint64_t curve, tdsp_leg *leg)
 
 void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp_leg *out)
 {
-    uint64_t waypoint = path.first + leg * table->joint;
-    const unsigned char *from = table_waypoint(table, waypoint);
-    const unsigned char *to = table_waypoint(table, waypoint + 1);
+    const unsigned char *from = table_leg_from(table, path, leg), *to = table_leg_to(table, path, leg);
     memset(out, 0, sizeof *out);
     out->kind = TDSP_LEG_LINE;
     out->disc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_DISC);
-    out->start_time = bytes_get_f64(from + FORMAT_WAYPOINT_AT_TIME);
-    out->end_time = bytes_get_f64(to + FORMAT_WAYPOINT_AT_TIME);
-    out->from = table_point(from + FORMAT_WAYPOINT_AT_X);
-    out->to = table_point(to + FORMAT_WAYPOINT_AT_X);
+    out->start_time = table_waypoint_time(from);
+    out->end_time = table_waypoint_time(to);
+    out->from = table_waypoint_point(from);
+    out->to = table_waypoint_point(to);
     uint64_t arc = bytes_get_u32(from + FORMAT_WAYPOINT_AT_ARC);
-    if (arc < table->arc_count)
-        table_add_arc(table_arc(table, arc), out);
-    else if (arc - table->arc_count < table->curve_count)
-        table_add_curve(table, arc - table->arc_count, out);
+    uint32_t kind = table_arc_kind(table, arc);
+    if (kind == TDSP_LEG_ARC) table_add_arc(table_arc(table, arc), out);
+    if (kind == TDSP_LEG_CURVE) table_add_curve(table, arc - table->arc_count, out);
 }
 
 static const unsigned char *table_gap_at(const tdsp_table *table, uint64_t i)

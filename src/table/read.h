@@ -76,20 +76,52 @@ static inline const unsigned char *table_arc(const tdsp_table *table, uint64_t a
     return table_at(table, table->arcs + FORMAT_ARC_SIZE * arc, FORMAT_ARC_SIZE);
 }
 
+static inline const unsigned char *table_curve(const tdsp_table *table, uint64_t curve)
+{
+    return table_at(table, table->curves + FORMAT_CURVE_SIZE * curve, FORMAT_CURVE_SIZE);
+}
+
+static inline tdsp_point table_point(const unsigned char *p)
+{
+    tdsp_point point = {bytes_get_f64(p), bytes_get_f64(p + 8)};
+    return point;
+}
+
 /* The row of gap i < table->gap_count, and the gap. */
 uint64_t table_gap_row(const tdsp_table *table, uint64_t i);
 tdsp_gap table_gap(const tdsp_table *table, uint64_t i);
 
 /* The waypoints of a row's path, first to before end. */
 typedef struct table_path {
-    uint64_t first;
-    uint64_t legs; /* 0: no path */
+    uint32_t first;
+    uint32_t legs; /* 0: no path */
 } table_path;
 
 table_path table_row_path(const tdsp_table *table, uint64_t row);
 
-/* The time at which leg `leg` < path.legs starts. */
-double table_path_time(const tdsp_table *table, table_path path, uint64_t leg);
+/* The waypoints at which leg `leg` < path.legs starts and ends. */
+static inline const unsigned char *table_leg_from(const tdsp_table *table, table_path path, uint64_t leg)
+{
+    return table_waypoint(table, path.first + leg * table->joint);
+}
+
+static inline const unsigned char *table_leg_to(const tdsp_table *table, table_path path, uint64_t leg)
+{
+    return table_waypoint(table, path.first + leg * table->joint + 1);
+}
+
+static inline double table_waypoint_time(const unsigned char *waypoint)
+{
+    return bytes_get_f64(waypoint + FORMAT_WAYPOINT_AT_TIME);
+}
+
+static inline tdsp_point table_waypoint_point(const unsigned char *waypoint)
+{
+    return table_point(waypoint + FORMAT_WAYPOINT_AT_X);
+}
+
+/* The kind of a leg whose waypoint names this arc; curves are numbered behind the arcs. */
+uint32_t table_arc_kind(const tdsp_table *table, uint64_t arc);
 
 /* Leg `leg` < path.legs. */
 void table_path_leg(const tdsp_table *table, table_path path, uint64_t leg, tdsp_leg *out);

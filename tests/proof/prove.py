@@ -21,11 +21,11 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SOURCES = ["src/base/hash.c", "src/base/status.c", "src/base/text.c", "src/geom/path.c"]
 # One case of the number of rows is followed at a time; statuses are kept apart from success, since only success has results.
-SPLIT = ["tdsp_table_open", "tdsp_table_reopen", "table_open_into", "open_lengths", "open_checksums", "arrival_find_outside", "tdsp_table_find", "path_find", "tdsp_table_path"]
+SPLIT = ["tdsp_table_open", "tdsp_table_reopen", "table_open_into", "open_lengths", "open_checksums", "arrival_find_outside", "tdsp_table_find", "path_span_at", "tdsp_table_path"]
 SPLIT_BOTH = ["open_section", "open_sections", "open_view_placed", "open_counts_are_good"]
 STATES = {"all_tables": 300, "open_sections": 100, "open_counts_are_good": 40, "table_open_into": 40, "text_utf8_length": 40, "tdsp_table_open": 20,
           "tdsp_table_reopen": 20, "open_lengths": 20, "open_checksums": 20, "arrival_find_outside": 20, "open_section": 20, "text_is_utf8": 20, "check_unit": 20,
-          "open_view_placed": 10, "open_and_ask": 10, "tdsp_table_find": 8, "path_find": 8, "arrival_search": 8, "tdsp_table_leg": 8,
+          "open_view_placed": 10, "open_and_ask": 10, "tdsp_table_find": 8, "path_span_at": 8, "arrival_search": 8, "tdsp_table_leg": 8,
           "tdsp_table_position": 4, "tdsp_table_path": 4}
 OPTIONS = ["-eva", "-eva-precision", "0", "-eva-no-results", "-eva-print-callstacks", "-eva-split-return-function",
            ",".join([name + ":0" for name in SPLIT] + [name + ":0:1" for name in SPLIT_BOTH]),

@@ -133,7 +133,7 @@ static unsigned char *table_of(const tdsp_leg *leg, size_t *length)
     return golden_rows(&golden_tables[SWELL].header, &row, 1, length);
 }
 
-static void every_curve_that_is_accepted_has_places_that_are_numbers(void **state)
+static void every_curve_that_is_accepted_has_places_that_are_numbers_and_those_of_its_leg(void **state)
 {
     (void)state;
     uint64_t chance = 8;
@@ -147,9 +147,13 @@ static void every_curve_that_is_accepted_has_places_that_are_numbers(void **stat
         if (!bytes) continue;
         accepted++;
         assert_int_equal(tdsp_table_open(&table, bytes, length), TDSP_OK);
+        tdsp_leg read;
+        assert_int_equal(tdsp_table_leg(&table, 0, 0, &read), TDSP_OK);
         for (double x = 0; x <= 1; x += 0.125) {
-            tdsp_point at;
+            tdsp_point at, expected = tdsp_leg_position(&read, x * leg.end_time);
             assert_int_equal(tdsp_table_position(&table, 0, x * leg.end_time, &at), TDSP_OK);
+            assert_exact(at.x, expected.x);
+            assert_exact(at.y, expected.y);
             if (!isfinite(at.x) || !isfinite(at.y)) fail_msg("curve %d has no place at %g", i, x);
         }
         free(bytes);
@@ -190,7 +194,7 @@ int main(void)
         cmocka_unit_test(a_curve_that_is_not_there_is_refused),
         cmocka_unit_test(a_wrong_place_or_number_of_curves_is_refused),
         cmocka_unit_test(a_curve_too_long_for_its_bends_is_refused),
-        cmocka_unit_test(every_curve_that_is_accepted_has_places_that_are_numbers),
+        cmocka_unit_test(every_curve_that_is_accepted_has_places_that_are_numbers_and_those_of_its_leg),
         cmocka_unit_test(a_ride_in_a_table_is_where_the_disc_is_and_moves_earlier_with_its_path),
     };
     return cmocka_run_group_tests_name("curve_table", tests, NULL, NULL);

@@ -19,7 +19,7 @@ HEADERS = ["export.h", "status.h", "types.h", "path.h", "table.h", "matrix.h"]
 LAYERS = ["base", "geom", "table", "query"]
 OWN_INCLUDE = re.compile(r'#include "([^"]+)"')
 SYSTEM_INCLUDE = re.compile(r"#include <[^>]+>")
-FUNCTION = re.compile(r"^[a-z].*?\b(\w+)\([^;]*$")
+FUNCTION = re.compile(r"^(?:APART )?[a-z].*?\b(\w+)\([^;]*$")
 PROTOTYPE = re.compile(r"^[a-z](?!ypedef).*?\b(\w+)\(.*\);", re.S)
 ARRAY = re.compile(r"^static const .*?\b(\w+)\[[^=]*\] = \{", re.S)
 LICENCE = "/* SPDX-License-Identifier: MIT */\n"
@@ -64,7 +64,7 @@ def pieces(path):
             elif line.strip():
                 lines.append(line)
             continue
-        if not code and not re.match(r"[#a-z}]", line):
+        if not code and not re.match(r"[#a-z}]|APART ", line):
             sys.exit(f"{path}: what is this at file scope? {line.strip()}")
         lines.append(line)
         code += line

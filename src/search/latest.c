@@ -9,8 +9,8 @@
  *   2. the moment t_s at which the source is covered, when A(t_s) <= a,
  *   3. reverse searches from the gap events, latest first: the first whose forward arrival is <= a.
  *
- * A is increasing, so a forward search just after the winner proves that nothing later will do. Where that proof fails (the jump had another
- * cause) the answer is found by bisection on A.
+ * A is increasing, so a forward search just after the winner proves that nothing later will do. Where that proof fails, or nobody won (the jump had another
+ * cause), the answer is found by bisection on A.
  */
 
 #include "base/math.h"
@@ -199,16 +199,22 @@ static tdsp_status latest_bisect(latest_state *state)
     return status;
 }
 
-/* Is nothing later good enough? The path of the best answer is kept. */
+/* Is nothing later good enough? A best that neither a gap explains nor the asker named is one of several on this side of a jump. */
 static tdsp_status latest_prove(latest_state *state)
 {
-    double step = state->best + latest_slack(state, state->best > state->known_good ? PROOF_STEP : CLOSE_STEP);
-    latest_state after = *state;
-    tdsp_status status;
-    if (step >= state->too_late) return TDSP_OK;
-    if (!latest_try(&after, step, &status)) return status;
-    *state = after;
-    return latest_bisect(state);
+    const int is_named = state->best <= state->known_good;
+    double step = state->best + latest_slack(state, is_named ? CLOSE_STEP : PROOF_STEP);
+    if (step < state->too_late) {
+        latest_state after = *state;
+        tdsp_status status;
+        if (latest_try(&after, step, &status)) {
+            *state = after;
+            return latest_bisect(state);
+        }
+        if (status != TDSP_OK) return status;
+        state->too_late = step;
+    }
+    return state->gap || is_named ? TDSP_OK : latest_bisect(state);
 }
 
 static tdsp_status latest_search(latest_state *state)

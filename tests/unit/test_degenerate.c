@@ -279,6 +279,28 @@ static void a_disc_that_grows_on_beyond_doubles_ends_the_departures_where_it_cov
     }
 }
 
+/* The source lies where two discs meet, and a third one closes the pocket within a billionth of the journey: the last departure was 0, for want of a gap that explained it. */
+static void a_pocket_that_closes_at_once_is_left_until_then(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-1048576.0, 0.0}, {1048576.0, 0.0}};
+    const tdsp_disc discs[] = {{{-2097152.0000002095, -2097152.0}, 0.0, 0.125},
+                               {{-989753.29963898915, 107885.97833935017}, 122880.0, 0.0},
+                               {{-989753.29963898915, -107885.97833935019}, 122880.0, 0.0},
+                               {{-1048576.000846517, -0.00061880585923974408}, 0.0, 0.2225}};
+    tdsp_scene *scene;
+    tdsp_solver *solver;
+    tdsp_last_departure last;
+    double arrival;
+    assert_int_equal(tdsp_scene_create(&journey, discs, 4, NULL, &scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    assert_int_equal(tdsp_solver_last_departure(solver, &last), TDSP_OK);
+    assert_int_equal(tdsp_earliest_arrival(solver, last.departure, &arrival), TDSP_OK);
+    assert_int_equal(tdsp_earliest_arrival(solver, last.departure + 1e-4, &arrival), TDSP_CUT_OFF);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 /* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
 static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
 {
@@ -351,6 +373,7 @@ int main(void)
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
+        cmocka_unit_test(a_pocket_that_closes_at_once_is_left_until_then),
         cmocka_unit_test(a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure),
         cmocka_unit_test(a_disc_that_grows_on_beyond_doubles_ends_the_departures_where_it_covers_the_source),
         cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),

@@ -279,9 +279,8 @@ int ride_touch(const geom_ride *ride, const geom_disc *other, double *time)
     double moment;
     if (!touch_moment(ride, other, &moment)) return 0;
     double at = touch_meets(ride, other, moment), edge = TOUCH_EDGE * (ride->end - ride->start);
-    for (int step = 0;; ++step) {
-        if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
-        if (step == TOUCH_STEPS) break;
+    if (!(at >= ride->start - edge && at <= ride->end + edge)) return 0;
+    for (int step = 0; step < TOUCH_STEPS; ++step) {
         double swing = contact_swing_at(ride, other, at);
         if (!(swing > 0.0)) return 0;
         at -= contact_at(ride, other, at, 0.0).slope / (2.0 * (1.0 - other->rate * other->rate) + 2.0 * swing);

@@ -124,7 +124,7 @@ static void domain_of_k(const geom_tangent *tangent, double t0, double t1, doubl
 
 /*
  * The roots of |D|^2 - K^2 - w^2, between which it is positive; returns 0 when it is positive nowhere, and infinite ends when it
- * is positive everywhere. The quadratic is written about t0.
+ * is positive everywhere. The quadratic is written about t0. Asked where |K| <= |D| at some time.
  */
 static int gap_open(const geom_tangent *tangent, double t0, double *lo, double *hi)
 {
@@ -135,7 +135,7 @@ static int gap_open(const geom_tangent *tangent, double t0, double *lo, double *
     double c = k0 * k0 + w0 * w0 - tangent->farthest * tangent->farthest;
     *lo = -INFINITY;
     *hi = INFINITY;
-    if (a == 0.0) return c <= 0.0;
+    if (a == 0.0) return 1; /* neither changes: w is next to nothing, and |K| at most |D| */
     double discriminant = b * b - a * c;
     if (discriminant < 0.0) return 0;
     double q = -(b + (b < 0.0 ? -1.0 : 1.0) * sqrt(discriminant));
@@ -194,7 +194,7 @@ static double leave_value(const leave_equation *equation, double time, double *s
     double length = tangent->root * reach - tangent_w(tangent, time);
     double moved = departure_turn(tangent, k, reach) - equation->turn_start;
     double ridden = spiral_angle(tangent->from, equation->t0, time) - equation->ridden;
-    *slope = -tangent->from->sine * (length > 0.0 ? length : 0.0) / (disc_radius(tangent->from, time) * reach);
+    *slope = -tangent->from->sine * length / (disc_radius(tangent->from, time) * reach);
     return equation->fall_start + tangent->root * (moved - ridden);
 }
 

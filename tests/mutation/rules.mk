@@ -35,6 +35,6 @@ mutate: ## take each condition of layers 0 to 2 always, then never: a unit test 
 	@nice $(MUTATE) --jobs $(JOBS) $(MUTATION_TESTS)
 
 # In `make check`: the same few every time, which must die, of the folders whose tests take no time.
-MUTATION_SHORT := $(addprefix $(MUTATION)/test_,bytes curve_table forged gap_table guide math matrix matrix_edges path query query_edges query_paths status table table_edges table_versions)
+MUTATION_SHORT := $(addprefix $(MUTATION)/test_,bytes curve_table forged gap_table guide math matrix matrix_edges outward path query query_edges query_paths reopen single status table table_edges table_versions)
 checks += mutation
 $(CHECK)/mutation.result: $(MUTATION_SHORT) $(MUTATION)/hits ; $(RUN) $(MUTATE) --jobs 1 --sample 60 --only 'src/(base|table|query)/' $(MUTATION_SHORT)

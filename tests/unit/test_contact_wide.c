@@ -116,10 +116,9 @@ typedef struct touch {
     double met;
 } touch;
 
-static void touch_draw(uint64_t *chance, int is_on_other_side, touch *out)
+static void touch_draw_at(uint64_t *chance, int is_on_other_side, double rate, double other_rate, touch *out)
 {
-    double sign = chance_below(chance, 2) ? 1.0 : -1.0, own = any_size(chance, -1.0, 0.5), radius = own * any_size(chance, -1.5, is_on_other_side ? 1.0 : -0.5);
-    double rate = sign * chance_between(chance, 0.0, 0.97), other_rate = sign * chance_between(chance, 0.0, 0.97), normal = chance_between(chance, -3.2, 3.2);
+    double own = any_size(chance, -1.0, 0.5), radius = own * any_size(chance, -1.5, is_on_other_side ? 1.0 : -0.5), normal = chance_between(chance, -3.2, 3.2);
     int side = chance_below(chance, 2) ? 1 : -1;
     out->disc = disc_make(point_make(0.0, 0.0), own, rate);
     out->other = disc_make(point_make(0.0, 0.0), radius, other_rate);
@@ -134,6 +133,18 @@ static void touch_draw(uint64_t *chance, int is_on_other_side, touch *out)
     out->ride.end = chance_below(chance, 3) ? spiral_duration(&out->disc, 0.0, chance_between(chance, 0.0, 0.3)) : 0.0;
     out->ride.angle = normal - side * spiral_angle(&out->disc, out->ride.start, 0.0);
     out->met = 0.0;
+}
+
+static void touch_draw(uint64_t *chance, int is_on_other_side, touch *out)
+{
+    double sign = chance_below(chance, 2) ? 1.0 : -1.0, rate = sign * chance_between(chance, 0.0, 0.97);
+    touch_draw_at(chance, is_on_other_side, rate, sign * chance_between(chance, 0.0, 0.97), out);
+}
+
+static void touch_draw_fast(uint64_t *chance, touch *out)
+{
+    double sign = chance_below(chance, 2) ? 1.0 : -1.0, rate = sign * (1.0 - any_size(chance, -5.0, -0.1));
+    touch_draw_at(chance, 1, rate, sign * (1.0 - any_size(chance, -5.0, -0.1)), out);
 }
 
 /* Discs that are there all the time, and a rider who does not end inside the other for another reason. */
@@ -180,6 +191,47 @@ static void a_touch_just_before_a_ride_or_just_after_it_is_none(void **state)
     assert_true(tried > 1000);
 }
 
+/* Among discs that stand the gap is closed all the time: only where the rider is decides. */
+static void a_touch_of_standing_discs_is_one_of_the_ride_that_passes_it(void **state)
+{
+    (void)state;
+    const struct {
+        double from, to; /* normals, of a touch at 0 */
+        int touches;
+    } rides[] = {{-0.3, 0.3, 1}, {-0.3, 0.0, 1}, {0.0, 0.3, 1}, {-0.3, -1e-7, 0}, {1e-7, 0.3, 0}};
+    geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0, 0.0), other = disc_make(point_make(1.5, 0.0), 0.5, 0.0);
+    for (size_t i = 0; i < sizeof rides / sizeof *rides; ++i)
+        for (int side = -1; side <= 1; side += 2) {
+            double time;
+            geom_ride ride = {&disc, side, side * rides[i].from, rides[i].from, rides[i].to};
+            assert_int_equal(ride_touch(&ride, &other, &time), rides[i].touches);
+        }
+}
+
+/* How fast the rider approaches the other disc's boundary, times the distance. */
+static double approach(const geom_ride *ride, const geom_disc *other, double time)
+{
+    tdsp_point offset = point_sub(ride_position(ride, time), other->center), heading = point_unit(disc_heading(ride->disc, ride->side, ride_angle(ride, time)));
+    return point_dot(offset, heading) - disc_radius(other, time) * other->rate;
+}
+
+/* Among discs nearly as fast as the robot, where a touch takes long: it is told to the digits that the rider's place has. */
+static void a_touch_is_told_where_the_rider_is_nearest(void **state)
+{
+    (void)state;
+    uint64_t chance = 5;
+    int told = 0;
+    for (int k = 0; k < 20000; ++k) {
+        touch t;
+        double time;
+        touch_draw_fast(&chance, &t);
+        if (!touch_is_sound(&t) || !ride_touch(&t.ride, &t.other, &time) || time == t.ride.start || time == t.ride.end) continue;
+        assert_near(approach(&t.ride, &t.other, time), 0.0, 1e-14 * (t.disc.radius + t.other.radius));
+        ++told;
+    }
+    assert_true(told > 1000);
+}
+
 /* Both discs are to the same side of the rider there: nobody changes over. */
 static void a_disc_inside_the_one_ridden_that_reaches_its_boundary_is_not_touched(void **state)
 {
@@ -222,6 +274,28 @@ static void who_begins_inside_by_a_touch_may_move_out_or_along_but_not_in(void *
 /* --------------------------------------------------------------------------------------------------------------- lines */
 
 /* A robot nearly as fast as the boundary before it, which it does not reach: what is in by less than a touch of such sizes is a touch to the end, where the disc is small. */
+/* On a pebble that grows: the least time looked at is many turns there, so that no bound decides it, and where the rider is at its end does. */
+static void a_ride_on_a_pebble_counts_by_where_it_is_after_the_least_time_looked_at(void **state)
+{
+    (void)state;
+    const double least = 0x1p-30, gap = 3e-10;
+    int stopped = 0, free = 0;
+    for (int k = 0; k < 800; ++k) {
+        geom_disc pebble = disc_make(point_make(0.0, 0.0), 1e-12, k < 400 ? 0.5 : 0.999), other = disc_make(point_make(1.0 + gap, 0.0), 1.0, 0.0);
+        geom_ride ride = {&pebble, k % 2 ? 1 : -1, k * (GEOM_TURN / 400.0), 0.0, 1.0};
+        double first = ride_contact(&ride, &other), nearest = INFINITY;
+        for (double time = least; time <= 1.0; time *= 1.01) nearest = fmin(nearest, ride_clear(&ride, &other, time));
+        if (ride_clear(&ride, &other, least) < -0.5 * gap) {
+            assert_true(first <= least);
+            ++stopped;
+        } else if (nearest > 0.5 * gap) {
+            assert_true(isinf(first));
+            ++free;
+        }
+    }
+    assert_true(stopped > 20 && free > 20);
+}
+
 static void a_line_is_judged_where_it_is_deepest_in_space_and_time(void **state)
 {
     (void)state;
@@ -293,8 +367,11 @@ int main(void)
         cmocka_unit_test(a_contact_after_the_radius_shrank_is_not_missed),
         cmocka_unit_test(a_touch_is_found_at_the_begin_of_a_ride_at_its_end_and_between),
         cmocka_unit_test(a_touch_just_before_a_ride_or_just_after_it_is_none),
+        cmocka_unit_test(a_touch_of_standing_discs_is_one_of_the_ride_that_passes_it),
+        cmocka_unit_test(a_touch_is_told_where_the_rider_is_nearest),
         cmocka_unit_test(a_disc_inside_the_one_ridden_that_reaches_its_boundary_is_not_touched),
         cmocka_unit_test(who_begins_inside_by_a_touch_may_move_out_or_along_but_not_in),
+        cmocka_unit_test(a_ride_on_a_pebble_counts_by_where_it_is_after_the_least_time_looked_at),
         cmocka_unit_test(a_line_is_judged_where_it_is_deepest_in_space_and_time),
         cmocka_unit_test(a_line_that_begins_inside_is_stopped_there_whatever_comes_later),
         cmocka_unit_test(a_line_from_outside_meets_a_disc_where_their_boundaries_meet),

@@ -87,7 +87,8 @@ static void a_law_is_within_a_radius_until_it_reaches_it(void **state)
         geom_law law = {pieces, draw_pieces(&chance, pieces, 6)};
         double radius = chance_below(&chance, 4) ? chance_between(&chance, 0.0, 5.0) : pieces[chance_below(&chance, law.count)].c[0];
         double expected = halved_until(&law, radius), found = law_within_until(&law, radius);
-        assert_near(found, expected, 1e-14 * (1.0 + fabs(expected)));
+        if (isinf(expected)) assert_exact(found, expected);
+        else assert_near(found, expected, 1e-14 * (1.0 + fabs(expected)));
     }
 }
 
@@ -101,6 +102,17 @@ static void a_radius_reached_where_a_piece_ends_is_kept_until_there(void **state
     assert_exact(law_within_until(&law, reached), 1.0);
 }
 
+/* What the last piece says has to do with it only when it is that piece which holds. */
+static void a_radius_at_which_a_law_rests_is_kept_until_it_grows_on(void **state)
+{
+    (void)state;
+    law_piece pieces[] = {{0.0, {1.0}, 0}, {5.0, {nextafter(1.0, 2.0), 1.0}, 1}};
+    geom_law law = {pieces, 2};
+    assert_exact(law_within_until(&law, 1.0), 5.0);
+    law.count = 1;
+    assert_exact(law_within_until(&law, 1.0), INFINITY);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -108,6 +120,7 @@ int main(void)
         cmocka_unit_test(a_jet_is_the_polynomial_and_its_derivatives),
         cmocka_unit_test(a_law_is_within_a_radius_until_it_reaches_it),
         cmocka_unit_test(a_radius_reached_where_a_piece_ends_is_kept_until_there),
+        cmocka_unit_test(a_radius_at_which_a_law_rests_is_kept_until_it_grows_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,6 +51,7 @@ step "the command uses the shared library" script 'grep -q "libtdsp.so.0 => /" <
 step "it solves a scene" script '[ "$(tdsp arrive /project/two-discs.json 0 | tail -n 1 | cut -d" " -f1)" = 0 ]'
 step "it builds a table, answers from it and verifies it" script 'cd /project && tdsp build two-discs.json -o t.tdsp && tdsp query t.tdsp 5 && tdsp verify two-discs.json t.tdsp --deep 5'
 step "it draws" script 'cd /project && tdsp plot two-discs.json -o a.png && [ -s a.png ]'
+step "it writes the page, with the scene and with a table inside" script 'cd /project && for of in scene table; do input=two-discs.json; [ $of = scene ] || input=t.tdsp; tdsp view $input -o $of.html --no-open --json | grep -q "\"of\": \"$of\"" && grep -q "\"name\": \"$input\"" $of.html && [ "$(tail -n 1 $of.html)" = "</html>" ]; done'
 step "bash completes it" script 'source /usr/share/bash-completion/bash_completion; _completion_loader tdsp || true; COMP_WORDS=(tdsp env); COMP_CWORD=1; _tdsp; [ "${COMPREPLY[*]}" = envelope ]'
 step "libtdsp-dev installs" install_development
 step "the manual is found, by command, file and function" script 'rm -f /etc/dpkg/dpkg.cfg.d/docker; for page in tdsp tdsp-build tdsp-table libtdsp tdsp_table_open; do man -w $page; done'

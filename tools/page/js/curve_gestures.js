@@ -10,6 +10,7 @@
  * @property {(x: number|null) => void} hover
  * @property {(held: boolean) => void} hold
  */
+import { placeWithin } from "tdsp/pointer.js";
 
 const CURSORS = { deadline: "ns-resize", slider: "ew-resize", plot: "crosshair" };
 
@@ -30,16 +31,10 @@ export class CurveGestures {
         this.listeners.abort();
     }
 
-    /** @param {MouseEvent} event @returns {[number, number]} */
-    place(event) {
-        const box = this.element.getBoundingClientRect();
-        return [event.clientX - box.left, event.clientY - box.top];
-    }
-
     /** @param {PointerEvent} event */
     down(event) {
         if (this.held || (event.button !== 0 && event.pointerType === "mouse")) return;
-        const [x, y] = this.place(event);
+        const [x, y] = placeWithin(this.element, event);
         this.held = this.to.hit(x, y, event.pointerType !== "mouse");
         if (!this.held) return;
         this.pointer = event.pointerId;
@@ -56,7 +51,7 @@ export class CurveGestures {
 
     /** @param {PointerEvent} event */
     move(event) {
-        const [x, y] = this.place(event);
+        const [x, y] = placeWithin(this.element, event);
         if (this.held) {
             if (event.pointerId === this.pointer) this.drag(x, y);
             return;

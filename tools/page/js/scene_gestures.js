@@ -17,6 +17,7 @@
  * @property {(x: number, y: number, factor: number) => void} zoom
  * @property {() => void} fit
  */
+import { placeWithin } from "tdsp/pointer.js";
 
 const STILL = 4; // pixels that a press may tremble
 const STILL_TOUCH = 8;
@@ -52,16 +53,10 @@ export class SceneGestures {
         this.listeners.abort();
     }
 
-    /** @param {MouseEvent} event @returns {[number, number]} */
-    place(event) {
-        const box = this.element.getBoundingClientRect();
-        return [event.clientX - box.left, event.clientY - box.top];
-    }
-
     /** @param {PointerEvent} event */
     down(event) {
         if (event.button !== 0 && event.pointerType === "mouse") return;
-        const [x, y] = this.place(event);
+        const [x, y] = placeWithin(this.element, event);
         this.element.setPointerCapture(event.pointerId);
         this.pointers.set(event.pointerId, { x, y });
         if (this.pointers.size === 2) {
@@ -77,7 +72,7 @@ export class SceneGestures {
 
     /** @param {PointerEvent} event */
     move(event) {
-        const [x, y] = this.place(event), pointer = this.pointers.get(event.pointerId);
+        const [x, y] = placeWithin(this.element, event), pointer = this.pointers.get(event.pointerId);
         if (!pointer) {
             if (event.pointerType === "mouse") this.to.hover(this.to.hit(x, y, false), x, y);
             return;
@@ -127,7 +122,7 @@ export class SceneGestures {
 
     /** @param {PointerEvent} event */
     tap(event) {
-        const [x, y] = this.place(event), last = this.lastTap;
+        const [x, y] = placeWithin(this.element, event), last = this.lastTap;
         const twice = event.timeStamp - last.time < TWICE && Math.hypot(x - last.x, y - last.y) < TWICE_REACH;
         this.lastTap = { time: twice ? -Infinity : event.timeStamp, x, y };
         if (twice) this.to.fit();
@@ -153,7 +148,7 @@ export class SceneGestures {
     /** @param {WheelEvent} event */
     wheel(event) {
         event.preventDefault();
-        const [x, y] = this.place(event);
+        const [x, y] = placeWithin(this.element, event);
         const pixels = event.deltaMode === 1 ? event.deltaY * 16 : event.deltaMode === 2 ? event.deltaY * 400 : event.deltaY;
         this.to.zoom(x, y, Math.exp(-pixels * (event.ctrlKey ? 6 : 1) * WHEEL));
     }

@@ -83,6 +83,21 @@ static tdsp_status piece_cut(growth_shape *shape, const tdsp_allocator *allocato
     return status == TDSP_OK ? span_add(shape, allocator, piece, at, end) : status;
 }
 
+/* Roots are told apart down to a share of the interval: beyond so many time units a piece is cut in parts. */
+#define LONG_PART 0x1p20
+
+/* A piece that ends where the next one begins. */
+static tdsp_status inner_piece_cut(growth_shape *shape, const tdsp_allocator *allocator, uint32_t piece)
+{
+    double start = shape->pieces[piece].start, end = shape->pieces[piece + 1].start, length = end - start, from = 0.0;
+    tdsp_status status = TDSP_OK;
+    for (double to = LONG_PART; to < length && status == TDSP_OK; to *= LONG_PART) {
+        status = piece_cut(shape, allocator, piece, from, to, start + to);
+        from = to;
+    }
+    return status == TDSP_OK ? piece_cut(shape, allocator, piece, from, length, end) : status;
+}
+
 /* The last piece has no end: intervals of doubling length, up to where no coefficient but the first counts any more. */
 static tdsp_status last_piece_cut(growth_shape *shape, const tdsp_allocator *allocator, uint32_t piece)
 {
@@ -108,8 +123,7 @@ static tdsp_status shape_cut(growth_shape *shape, const tdsp_allocator *allocato
 {
     tdsp_status status = TDSP_OK;
     uint32_t last = shape->piece_count - 1;
-    for (uint32_t k = 0; k < last && status == TDSP_OK; ++k)
-        status = piece_cut(shape, allocator, k, 0.0, shape->pieces[k + 1].start - shape->pieces[k].start, shape->pieces[k + 1].start);
+    for (uint32_t k = 0; k < last && status == TDSP_OK; ++k) status = inner_piece_cut(shape, allocator, k);
     return status == TDSP_OK ? last_piece_cut(shape, allocator, last) : status;
 }
 

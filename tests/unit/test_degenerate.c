@@ -2,9 +2,12 @@
 /* Scenes that went wrong once, as they were found: both engines must give the same answer, with a path that the verifier takes. */
 #include "support/cmocka_all.h"
 
+#include "support/chance.h"
 #include "tdsp/growth.h"
 #include "tdsp/solver.h"
 #include "tdsp/verify.h"
+
+#define SEED 7301
 
 #define MOST_LEGS 64
 
@@ -301,6 +304,36 @@ static void a_pocket_that_closes_at_once_is_left_until_then(void **state)
     tdsp_scene_free(scene);
 }
 
+/* What a term does that shows after 1e97 journeys only: nothing. The moment of a cover was halved too few times, and cuts of the law were looked for beside 1e97. */
+static void a_law_that_turns_beyond_all_times_is_as_without_that(void **state)
+{
+    (void)state;
+    uint64_t chance = SEED;
+    print_message("seed %d\n", SEED);
+    const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
+    for (int round = 0; round < 100; round++) {
+        const double values[4] = {chance_between(&chance, 0.05, 0.3), chance_between(&chance, -0.02, 0.05), chance_between(&chance, 0.004, 0.01), -1e-97};
+        const tdsp_point center = {chance_between(&chance, -5.0, 5.0), chance_between(&chance, -4.0, 4.0)};
+        double arrivals[2], lasts[2];
+        for (int turns = 0; turns < 2; turns++) {
+            const tdsp_growing_disc disc = {center, 0.5, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = turns ? 4 : 3, .values = values}};
+            tdsp_scene *scene;
+            tdsp_solver *solver;
+            tdsp_last_departure last = {.departure = -1.0};
+            assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+            assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+            arrivals[turns] = -1.0;
+            assert_true(tdsp_status_is_answer(tdsp_earliest_arrival(solver, 0.0, &arrivals[turns])));
+            assert_true(tdsp_status_is_answer(tdsp_solver_last_departure(solver, &last)));
+            lasts[turns] = last.departure;
+            tdsp_solver_free(solver);
+            tdsp_scene_free(scene);
+        }
+        assert_true(arrivals[0] == arrivals[1] || fabs(arrivals[0] - arrivals[1]) < 1e-9);
+        assert_near(lasts[1], lasts[0], 1e-8);
+    }
+}
+
 /* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
 static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
 {
@@ -374,6 +407,7 @@ int main(void)
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
         cmocka_unit_test(a_pocket_that_closes_at_once_is_left_until_then),
+        cmocka_unit_test(a_law_that_turns_beyond_all_times_is_as_without_that),
         cmocka_unit_test(a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure),
         cmocka_unit_test(a_disc_that_grows_on_beyond_doubles_ends_the_departures_where_it_covers_the_source),
         cmocka_unit_test(a_pebble_too_small_to_go_round_stops_nobody),

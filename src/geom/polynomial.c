@@ -20,9 +20,6 @@
 /* Intervals are halved this often at most. */
 #define DEPTH 47
 
-/* Halving leaves nothing of any interval within [-1, 1] after this. */
-#define NEWTON_STEPS 1200
-
 double polynomial_value(const polynomial *p, double x)
 {
     double value = 0.0;
@@ -135,11 +132,14 @@ static double polynomial_slope(const polynomial *p, double x)
     return slope;
 }
 
-/* The crossing between lo, where p has the sign, and hi, where it has the other. */
+/*
+ * The crossing between lo, where p has the sign, and hi, where it has the other. Each step is at most half as long as the one before it, or halves what is left between them, so that
+ * they come to an end; where lo is 0 and the crossing is far below hi, after as many halvings as there are powers of two between.
+ */
 static double root_refine(const polynomial *p, double lo, double hi, int sign)
 {
     double x = 0.5 * (lo + hi), before = hi - lo;
-    for (int i = 0; i < NEWTON_STEPS; ++i) {
+    for (;;) {
         double value = polynomial_value(p, x);
         if (value == 0.0) return x;
         if ((value > 0.0) == (sign > 0)) lo = x;
@@ -150,7 +150,6 @@ static double root_refine(const polynomial *p, double lo, double hi, int sign)
         if (before <= 0.25 * DBL_EPSILON * fabs(x) || next <= lo || next >= hi) return x;
         x = next;
     }
-    return x;
 }
 
 typedef struct root_search {

@@ -43,7 +43,8 @@ static sight_line target_line(const leave_target *target, double at)
         return rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment);
     }
     const growth_question *question = &target->engine->question;
-    sight_line line = {question->start, point_unit(target->ahead - target->side * at), question->time};
+    const double turn = at < GEOM_PI ? target->side * at : GEOM_PI; /* straight away both sides are one line, to the bit */
+    sight_line line = {question->start, point_unit(target->ahead - turn), question->time};
     return line;
 }
 

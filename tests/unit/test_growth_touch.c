@@ -94,12 +94,38 @@ static void who_is_caught_as_the_rate_falls_to_the_speed_may_go_either_way_round
     assert_near(travel_time(&journey, &disc, 1, 1.2823226713783786), before, 1e-6);
 }
 
+/* Straight away from the centre is one line, whichever way round the robot goes then: rounding let those past who go one way only. */
+static void who_flees_straight_from_a_disc_until_it_stops_may_go_either_way_round(void **state)
+{
+    (void)state;
+    static const double rates[] = {0.0, 1.5785797316726358, 2.1168494839197245, 0.0}, times[] = {0.0, 0.15864136554124392, 0.41284401307123531, 0.52875361120674536};
+    const tdsp_journey journey = {1.0, 0.0, {0.0, 0.0}, {-0.60236363286982075, 1.9071334651239991}};
+    tdsp_growing_disc disc = stops(-0.52527070773343876, 0.7009603215707132, 0.29427809207597005, rates, times);
+    disc.growth.count = 4;
+    tdsp_scene *scene;
+    tdsp_solver *solver;
+    assert_int_equal(tdsp_scene_create_growing(&journey, &disc, 1, NULL, &scene), TDSP_OK);
+    assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+    int past = 0, caught = 0;
+    double departure = 0.463763954729675;
+    for (int k = 0; k < 200; k++, departure = nextafter(departure, 1.0)) {
+        double arrival;
+        const tdsp_status status = tdsp_earliest_arrival(solver, departure, &arrival);
+        status == TDSP_OK ? ++past : ++caught;
+        if (status == TDSP_OK) assert_near(arrival - departure, 2.5960946, 1e-6);
+    }
+    assert_true(past > 20 && caught > 20);
+    tdsp_solver_free(solver);
+    tdsp_scene_free(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(who_is_met_as_the_disc_stops_may_go_either_way_round),
         cmocka_unit_test(who_is_caught_as_the_rate_falls_to_the_speed_may_go_either_way_round),
         cmocka_unit_test(who_is_let_past_a_disc_as_it_stops_may_change_over),
+        cmocka_unit_test(who_flees_straight_from_a_disc_until_it_stops_may_go_either_way_round),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -163,14 +163,19 @@ static double contact_grace(const geom_ride *ride, const geom_disc *other, conta
     return outwards && start.value >= -forgiven ? 2.0 * forgiven : INFINITY;
 }
 
-/* Halving 30 times makes less than the smallest interval; rounding may add to that where an interval has only a few doubles. */
-#define CONTACT_DEPTH 34
+/*
+ * The smallest interval, as a share of the ride: of a ride around a disc of more than so many journeys, as a share of that, for what stands in the way is no larger. Halving 60 times
+ * makes less; rounding may add to that where an interval has only a few doubles.
+ */
+#define CONTACT_SMALLEST 1e-9
+#define CONTACT_LONG 1e3
+#define CONTACT_DEPTH 64
 
 double ride_contact(const geom_ride *ride, const geom_disc *other)
 {
     if (contact_impossible(ride, other)) return INFINITY;
     contact_state later[CONTACT_DEPTH]; /* the ends of the intervals still to do, the next one on top */
-    double smallest = (ride->end - ride->start) * 1e-9, grace = 0.0;
+    double whole = ride->end - ride->start, smallest = math_max(math_min(whole, CONTACT_LONG) * CONTACT_SMALLEST, whole * 0x1p-60), grace = 0.0;
     int top = 0;
     contact_state a = contact_at(ride, other, ride->start, 0.0);
     if (a.value < 0.0) {

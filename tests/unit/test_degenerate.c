@@ -334,6 +334,24 @@ static void a_law_that_turns_beyond_all_times_is_as_without_that(void **state)
     }
 }
 
+/* Around a disc of half a milliard journeys a ride is as long, and a disc on its way is smaller than the least part that was looked at: the path led through it. */
+static void a_ride_around_a_vast_disc_does_not_lead_through_a_small_one(void **state)
+{
+    (void)state;
+    const tdsp_journey journey = {1.0, 0.0, {-37000.0, 0.0}, {37000.0, 0.0}};
+    for (double vast = 3.7e7; vast < 1e16; vast *= 10.0) {
+        const tdsp_growing_disc discs[] = {{{32566.148939832517, 3241.1554602995857}, 5492.1875, {.kind = TDSP_GROWTH_RATE}},
+                                           {{37000.0, vast}, vast, {.kind = TDSP_GROWTH_RATE}}};
+        tdsp_scene *scene;
+        assert_int_equal(tdsp_scene_create_growing(&journey, discs, 2, NULL, &scene), TDSP_OK);
+        const double arrival = arrival_by(scene, TDSP_METHOD_AUTO, 0.0);
+        const double other = arrival_by(scene, TDSP_METHOD_GENERAL, 0.0);
+        if (arrival < INFINITY) assert_near(arrival, 74762.857, 20.0);
+        if (other < INFINITY) assert_near(other, 74762.857, 20.0);
+        tdsp_scene_free(scene);
+    }
+}
+
 /* Where rates change, a boundary too small to be ridden stopped straight legs all the same: whoever met it head on had no way, or was early by aiming past it. */
 static void a_pebble_too_small_to_go_round_stops_nobody(void **state)
 {
@@ -406,6 +424,7 @@ int main(void)
         cmocka_unit_test(a_spiral_out_of_almost_nothing_ends_where_its_angle_says),
         cmocka_unit_test(a_ride_on_a_rate_that_falls_within_a_moment_keeps_to_the_speed),
         cmocka_unit_test(a_point_that_grows_a_hair_from_the_source_covers_it_last),
+        cmocka_unit_test(a_ride_around_a_vast_disc_does_not_lead_through_a_small_one),
         cmocka_unit_test(a_pocket_that_closes_at_once_is_left_until_then),
         cmocka_unit_test(a_law_that_turns_beyond_all_times_is_as_without_that),
         cmocka_unit_test(a_disc_that_has_all_but_stopped_does_not_blur_the_last_departure),

@@ -164,8 +164,8 @@ static double contact_grace(const geom_ride *ride, const geom_disc *other, conta
 }
 
 /*
- * The smallest interval, as a share of the ride: of a ride around a disc of more than so many journeys, as a share of that, for what stands in the way is no larger. Halving 60 times
- * makes less; rounding may add to that where an interval has only a few doubles.
+ * The smallest interval, as a share of the ride, or of so many journeys where the ride is longer: around a vast disc it is, and what stands in its way is as small as ever. Halving 60
+ * times makes less; rounding may add to that where an interval has only a few doubles.
  */
 #define CONTACT_SMALLEST 1e-9
 #define CONTACT_LONG 1e3

@@ -205,20 +205,24 @@ tdsp_status shape_make(growth_shape *shape, const tdsp_allocator *allocator, tds
     return status == TDSP_OK ? shape_group(shape, allocator) : status;
 }
 
+static size_t turned_bytes(const growth_shape *shape)
+{
+    return shape->turned ? 2 * (size_t)shape->span_count * sizeof *shape->turned : 0;
+}
+
 void shape_free(growth_shape *shape, const tdsp_allocator *allocator)
 {
     memory_free(allocator, shape->pieces, shape->piece_count * sizeof *shape->pieces);
     memory_free(allocator, shape->spans, shape->span_capacity * sizeof *shape->spans);
     memory_free(allocator, shape->runs, shape->run_capacity * sizeof *shape->runs);
     memory_free(allocator, shape->panels, shape->panel_capacity * sizeof *shape->panels);
-    if (shape->turned) memory_free(allocator, shape->turned, 2 * (size_t)shape->span_count * sizeof *shape->turned);
+    memory_free(allocator, shape->turned, turned_bytes(shape));
 }
 
 size_t shape_bytes(const growth_shape *shape)
 {
     return shape->piece_count * sizeof *shape->pieces + shape->span_capacity * sizeof *shape->spans +
-           shape->run_capacity * sizeof *shape->runs + shape->panel_capacity * sizeof *shape->panels +
-           (shape->turned ? 2 * (size_t)shape->span_count * sizeof *shape->turned : 0);
+           shape->run_capacity * sizeof *shape->runs + shape->panel_capacity * sizeof *shape->panels + turned_bytes(shape);
 }
 
 uint32_t shape_span_at(const growth_shape *shape, double time)

@@ -199,7 +199,7 @@ static tdsp_status latest_bisect(latest_state *state)
     return status;
 }
 
-/* Is nothing later good enough? A best that neither a gap explains nor the asker named is one of several on this side of a jump. */
+/* Is nothing later good enough? A best that neither a gap explains nor the asker named is any one on this side of a jump: then the last one is halved down to. */
 static tdsp_status latest_prove(latest_state *state)
 {
     const int is_named = state->best <= state->known_good;

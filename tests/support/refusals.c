@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include "support/refusals.h"
+#include "support/tight.h"
 
 #include "support/cmocka_all.h"
 
 size_t refuse_each(refusable ask, void *ctx, tdsp_status expected)
 {
     for (size_t refuse = 1;; refuse += 1 + refuse / 128) {
-        toy_heap heap = {.refuse = refuse};
-        const tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        const tdsp_allocator memory = tight_allocator(&heap);
         const tdsp_status status = ask(&memory, ctx);
         assert_int_equal(heap.blocks, 0);
         assert_int_equal(heap.held, 0);

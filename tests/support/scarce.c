@@ -8,24 +8,6 @@
 
 #include "support/chance.h"
 
-void *scarce_resize(void *ctx, void *block, size_t old_size, size_t new_size)
-{
-    scarce_heap *h = ctx;
-    if (new_size == 0) {
-        h->blocks -= block ? 1 : 0;
-        h->held -= old_size;
-        free(block);
-        return NULL;
-    }
-    ++h->calls;
-    if (h->refuse && (h->calls == h->refuse || (h->and_after && h->calls > h->refuse))) return NULL;
-    void *moved = realloc(block, new_size);
-    if (!moved) abort();
-    h->blocks += block ? 0 : 1;
-    h->held += new_size - old_size;
-    return moved;
-}
-
 const tdsp_journey scarce_journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
 const tdsp_ends scarce_aside = {{-9.0, 1.0}, {9.0, -1.0}};
 static const double bend[2] = {0.1, 0.0005}, rates[2] = {0.05, 0.1}, times[2] = {0.0, 15.0};
@@ -61,7 +43,7 @@ void scarce_open(scarce *f, scarce_world kind)
 {
     memset(f, 0, sizeof *f);
     f->kind = kind;
-    f->memory = (tdsp_allocator){&f->heap, scarce_resize};
+    f->memory = tight_allocator(&f->heap);
     assert_int_equal(make_scene(kind, &f->memory, &f->scene), TDSP_OK);
     assert_int_equal(tdsp_solver_create(f->scene, &f->solver), TDSP_OK);
 }

@@ -9,19 +9,10 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "support/tight.h"
 #include "tdsp/tdsp.h"
 
 enum { SCARCE_DISCS = 12, SCARCE_LEGS = 64, SCARCE_TOLD = 1024, SCARCE_BLANK = 0x5a };
-
-typedef struct scarce_heap {
-    size_t calls;
-    size_t refuse; /* the call that fails; 0: none */
-    int and_after; /* and all after it */
-    size_t blocks;
-    size_t held;
-} scarce_heap;
-
-void *scarce_resize(void *ctx, void *block, size_t old_size, size_t new_size);
 
 /* Two discs that close a gap, many of rates of their own, two whose rates change. */
 typedef enum scarce_world { SCARCE_GATE, SCARCE_MANY, SCARCE_BENT, SCARCE_WORLDS } scarce_world;
@@ -33,7 +24,7 @@ const tdsp_disc *scarce_discs(size_t *count, scarce_world kind); /* of the first
 
 /* What a call starts from. All memory is the heap's. */
 typedef struct scarce {
-    scarce_heap heap;
+    tight_heap heap;
     tdsp_allocator memory;
     scarce_world kind;
     tdsp_scene *scene;

@@ -192,25 +192,3 @@ size_t toy_least_rows(const toy *t, const tdsp_build_options *options)
     }
     return rows;
 }
-
-static void *resize(void *ctx, void *block, size_t old_size, size_t new_size)
-{
-    toy_heap *heap = ctx;
-    if (new_size == 0) {
-        heap->blocks -= block ? 1 : 0;
-        heap->held -= old_size;
-        free(block);
-        return NULL;
-    }
-    if (++heap->calls == heap->refuse) return NULL;
-    void *moved = realloc(block, new_size);
-    assert_non_null(moved);
-    heap->blocks += block ? 0 : 1;
-    heap->held += new_size - old_size;
-    return moved;
-}
-
-tdsp_allocator toy_allocator(toy_heap *heap)
-{
-    return (tdsp_allocator){heap, resize};
-}

@@ -39,14 +39,4 @@ void toy_certify(const toy *truth, const tdsp_build_options *options, const toy_
 /* The least number of rows that any table with this guarantee has: greedy in closed form. */
 size_t toy_least_rows(const toy *t, const tdsp_build_options *options);
 
-/* A counting allocator: refuses the call number `refuse` (from 1; 0 never), and knows what is held. */
-typedef struct toy_heap {
-    size_t calls;
-    size_t refuse;
-    size_t blocks;
-    size_t held; /* bytes, by the sizes that were told */
-} toy_heap;
-
-tdsp_allocator toy_allocator(toy_heap *heap);
-
 #endif

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "scene/allocator.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 static void no_allocator_means_the_c_librarys(void **state)
 {
@@ -24,8 +24,8 @@ static void no_allocator_means_the_c_librarys(void **state)
 static void an_allocator_is_copied(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator given = toy_allocator(&heap), kept = memory_allocator(&given);
+    tight_heap heap = {0};
+    tdsp_allocator given = tight_allocator(&heap), kept = memory_allocator(&given);
     memset(&given, 0, sizeof given);
     memory_free(&kept, memory_array(&kept, 3, 8), 24);
     assert_int_equal(heap.calls, 1);
@@ -35,8 +35,8 @@ static void an_allocator_is_copied(void **state)
 static void an_array_that_overflows_or_holds_nothing_is_refused_without_asking(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     assert_null(memory_array(&memory, SIZE_MAX / 8 + 1, 8));
     assert_null(memory_array(&memory, SIZE_MAX, SIZE_MAX));
     assert_null(memory_array(&memory, 0, 8));
@@ -46,8 +46,8 @@ static void an_array_that_overflows_or_holds_nothing_is_refused_without_asking(v
 static void freeing_nothing_is_allowed(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     memory_free(&memory, NULL, 100);
     assert_int_equal(heap.held, 0);
 }
@@ -55,8 +55,8 @@ static void freeing_nothing_is_allowed(void **state)
 static void reserving_grows_by_halves_and_keeps_what_is_there(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     uint32_t *items = NULL;
     size_t capacity = 0;
     for (uint32_t i = 0; i < 100000; ++i) {
@@ -74,8 +74,8 @@ static void reserving_grows_by_halves_and_keeps_what_is_there(void **state)
 static void a_reservation_that_fails_changes_nothing(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     uint32_t *items = NULL;
     size_t capacity = 0;
     assert_int_equal(memory_reserve(&memory, (void **)&items, &capacity, 5, sizeof *items), TDSP_OK);
@@ -95,8 +95,8 @@ static void a_reservation_that_fails_changes_nothing(void **state)
 static void room_enough_asks_for_nothing(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     void *items = NULL;
     size_t capacity = 0;
     assert_int_equal(memory_reserve(&memory, &items, &capacity, 0, 8), TDSP_OK);

@@ -8,7 +8,7 @@
 #include "scene/cover.h"
 #include "scene/scene.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/solver.h"
 
 enum { MOST = 120 };
@@ -308,8 +308,8 @@ static void a_failed_allocation_is_told(void **state)
     uint64_t chance = 5;
     random_heap(&h, &chance);
     for (size_t refuse = 1;; ++refuse) {
-        toy_heap heap = {0, refuse, 0, 0};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        tdsp_allocator memory = tight_allocator(&heap);
         tdsp_status status = drop(&h, &memory);
         assert_int_equal(heap.blocks, 0);
         assert_int_equal(heap.held, 0);

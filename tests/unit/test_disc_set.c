@@ -6,7 +6,7 @@
 
 #include "scene/disc_set.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/scene.h"
 
 enum { MOST = 500 };
@@ -80,8 +80,8 @@ static void a_whole_set_has_angles_and_no_room_to_spare(void **state)
 {
     (void)state;
     uint64_t chance = 3;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     disc_set set = {0};
     fill(&set, &memory, MOST, &chance, 1);
     set.forward[7].radius = 5.0; /* swallows what is not faster */
@@ -120,8 +120,8 @@ static void a_failed_allocation_is_told(void **state)
 {
     (void)state;
     for (size_t refuse = 1;; ++refuse) {
-        toy_heap heap = {0, refuse, 0, 0};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        tdsp_allocator memory = tight_allocator(&heap);
         tdsp_status status = make_every_way(&memory);
         assert_int_equal(heap.held, 0);
         if (refuse > heap.calls) {
@@ -138,8 +138,8 @@ static void a_scene_of_many_discs_holds_no_more_bytes_than_the_header_says(void 
     static tdsp_disc discs[20000];
     const tdsp_journey journey = {1.0, 0.0, {-1.0, 0.0}, {1.0, 0.0}};
     uint64_t chance = 5;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     tdsp_scene *scene;
     for (size_t i = 0; i < 20000; ++i) {
         tdsp_disc disc = {{chance_between(&chance, -1.0, 1.0), chance_between(&chance, -1.0, 1.0)}, 1e-3, 1e-5};

@@ -7,7 +7,7 @@
 #include "search/solver.h"
 #include "support/chance.h"
 #include "support/random_scene.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 
 #define RING 24
@@ -203,8 +203,8 @@ static void a_test_without_memory_is_told_and_can_be_made_again(void **state)
 {
     (void)state;
     static tdsp_disc discs[MOST];
-    toy_heap heap = {0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     tdsp_scene *scene;
     tdsp_solver *solver;
     ring(discs, 1.01 * touch(), 0.0);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/solver.h"
 
 enum { MANY = 100, LEGS = 256 };
@@ -23,7 +23,7 @@ static void crowd(tdsp_disc *discs)
 }
 
 typedef struct world {
-    toy_heap heap;
+    tight_heap heap;
     tdsp_allocator memory;
     tdsp_disc discs[MANY];
     size_t count;
@@ -34,7 +34,7 @@ typedef struct world {
 static void world_init(world *w, size_t count)
 {
     memset(w, 0, sizeof *w);
-    w->memory = toy_allocator(&w->heap);
+    w->memory = tight_allocator(&w->heap);
     w->count = count;
     crowd(w->discs);
 }

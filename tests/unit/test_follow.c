@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Laws by callback: followed as closely as is said, in few pieces, or refused with the reason. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -391,38 +392,23 @@ static void what_is_said_of_a_law_is_checked(void **state)
     }
 }
 
-/* An allocator that refuses the call number `refuse`, and counts what is held. */
-typedef struct heap {
-    size_t calls, refuse, held;
-} heap;
-
-static void *heap_resize(void *ctx, void *block, size_t old_size, size_t new_size)
-{
-    heap *h = ctx;
-    if (new_size > 0 && ++h->calls == h->refuse) return NULL;
-    h->held += new_size - old_size;
-    if (new_size > 0) return realloc(block, new_size);
-    free(block);
-    return NULL;
-}
-
 static void every_piece_of_memory_is_asked_for_and_given_back(void **state)
 {
     (void)state;
     const tdsp_growing_disc discs[2] = {disc_of(&laws[7]), disc_of(&laws[0])};
     for (size_t count = 1; count <= 2; ++count) {
-        heap h = {0, 0, 0};
+        tight_heap heap = {0};
         tdsp_status status = TDSP_NO_MEMORY;
-        for (h.refuse = 1; status == TDSP_NO_MEMORY; ++h.refuse) {
-            const tdsp_allocator allocator = {&h, heap_resize};
+        for (heap.refuse = 1; status == TDSP_NO_MEMORY; ++heap.refuse) {
+            const tdsp_allocator allocator = tight_allocator(&heap);
             tdsp_scene *scene = NULL;
-            h.calls = 0;
+            heap.calls = 0;
             status = tdsp_scene_create_growing(&journey, discs + (count == 1), count, &allocator, &scene);
             assert_true(status == TDSP_OK || status == TDSP_NO_MEMORY);
             tdsp_scene_free(scene);
-            assert_int_equal(h.held, 0);
+            assert_int_equal(heap.held, 0);
         }
-        assert_true(h.refuse > 4);
+        assert_true(heap.refuse > 4);
     }
 }
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* What closes at jumps, in tables: read, refused when it is wrong, asked of an oracle that knows, and written. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <stdlib.h>
 
@@ -236,9 +237,9 @@ static void every_allocation_may_fail_with_gaps_too(void **state)
     for (size_t refuse = 1; status != TDSP_OK; refuse++) {
         teller t;
         toy steady;
-        toy_heap heap = {.refuse = refuse};
+        tight_heap heap = {.refuse = refuse};
         tdsp_oracle oracle = telling(&t, &steady, TDSP_OK);
-        tdsp_allocator memory = toy_allocator(&heap);
+        tdsp_allocator memory = tight_allocator(&heap);
         void *bytes = NULL;
         size_t length;
         status = tdsp_build(&oracle, &options, &memory, &bytes, &length, NULL);

@@ -3,7 +3,7 @@
 #include "support/cmocka_all.h"
 
 #include "support/shapes.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/path.h"
 #include "tdsp/solver.h"
 
@@ -134,7 +134,7 @@ static tdsp_status ask_last(tdsp_solver *solver, double until, double *out)
 }
 
 /* Each allocation of a new solver and of its question fails in turn; asked again, the same solver answers as if nothing had been. */
-static void fail_each(toy_heap *heap, const tdsp_scene *scene, question ask, double until)
+static void fail_each(tight_heap *heap, const tdsp_scene *scene, question ask, double until)
 {
     tdsp_solver *solver;
     double expected = 77.0;
@@ -165,8 +165,8 @@ static void an_answer_without_memory_is_told_and_can_be_asked_again(void **state
     static grown_scene grown;
     static const grown_mix mixes[5] = {GROWTH_MIX_CONVEX, GROWTH_MIX_S_SHAPED, GROWTH_MIX_RATES, GROWTH_MIX_CLUSTER, GROWTH_MIX_WALL};
     for (int i = 0; i < 5; ++i) {
-        toy_heap heap = {0, 0, 0, 0};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {0};
+        tdsp_allocator memory = tight_allocator(&heap);
         tdsp_scene *scene;
         random_growth(SEED + (uint64_t)i, mixes[i % 5], 9, &grown);
         assert_int_equal(tdsp_scene_create_growing(&grown.journey, grown.discs, 9, &memory, &scene), TDSP_OK);

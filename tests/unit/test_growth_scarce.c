@@ -2,7 +2,7 @@
 /* Discs whose rates change often, faster and slower than the robot, without memory: lists that outgrow their first room are refused too. */
 #include "support/cmocka_all.h"
 
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/growth.h"
 #include "tdsp/solver.h"
 
@@ -22,9 +22,9 @@ static tdsp_growing_disc bursting(tdsp_point center, double radius, double *time
 }
 
 /* The travel times at two departures, or why there are none. What the heap holds in between is the solver's. */
-static tdsp_status solve(const tdsp_growing_disc *discs, size_t count, toy_heap *heap, double travels[2])
+static tdsp_status solve(const tdsp_growing_disc *discs, size_t count, tight_heap *heap, double travels[2])
 {
-    tdsp_allocator memory = toy_allocator(heap);
+    tdsp_allocator memory = tight_allocator(heap);
     tdsp_scene *scene = NULL;
     tdsp_solver *solver = NULL;
     tdsp_status status = tdsp_scene_create_growing(&across, discs, count, &memory, &scene);
@@ -48,13 +48,13 @@ static void every_allocation_for_discs_of_many_rates_may_fail(void **state)
     const tdsp_growing_disc discs[] = {bursting((tdsp_point){-2.0, 1.5}, 0.2, times[0], rates[0]),
                                        bursting((tdsp_point){3.0, -1.0}, 0.0, times[1], rates[1]),
                                        {{0.0, 6.0}, 1.0, {.rate = 0.05}}};
-    toy_heap heap = {0};
+    tight_heap heap = {0};
     assert_int_equal(solve(discs, 3, &heap, whole), TDSP_OK);
     assert_true(whole[0] > 20.0 && whole[1] >= whole[0]);
     assert_true(heap.calls > 30);
     size_t calls = heap.calls;
     for (size_t refuse = 1; refuse <= calls; refuse++) {
-        heap = (toy_heap){.refuse = refuse};
+        heap = (tight_heap){.refuse = refuse};
         assert_int_equal(solve(discs, 3, &heap, travels), TDSP_NO_MEMORY);
     }
 }
@@ -67,7 +67,7 @@ static void a_corner_of_a_disc_that_is_hardly_more_than_a_point_is_no_touch(void
     const tdsp_growing_disc point = {{0.0, 0.0}, 0.0, {.kind = TDSP_GROWTH_RATES, .count = 2, .values = rates, .times = times}};
     const tdsp_growing_disc slow = {{0.0, 0.0}, 0.0, {.rate = 0.01}};
     double travels[2], expected[2];
-    toy_heap heap = {0};
+    tight_heap heap = {0};
     assert_int_equal(solve(&point, 1, &heap, travels), TDSP_OK);
     assert_int_equal(solve(&slow, 1, &heap, expected), TDSP_OK);
     for (int i = 0; i < 2; i++) assert_near(travels[i], expected[i], 1e-9);

@@ -4,7 +4,7 @@
 
 #include "growth/shape.h"
 #include "support/shapes.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 #define SEED 4201
 
@@ -374,8 +374,8 @@ static void a_shape_without_memory_is_told_and_leaves_nothing(void **state)
     geom_law law = {pieces, 3};
     int is_done = 0;
     for (size_t refuse = 1; !is_done; ++refuse) {
-        toy_heap heap = {0, refuse, 0, 0};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        tdsp_allocator memory = tight_allocator(&heap);
         growth_shape shape;
         tdsp_status status = shape_make(&shape, &memory, origin, law, plain);
         for (uint32_t run = 0; run < shape.run_count && status == TDSP_OK; ++run) {

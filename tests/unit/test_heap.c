@@ -6,7 +6,7 @@
 
 #include "search/heap.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 enum { MOST = 3000 };
 
@@ -92,8 +92,8 @@ static void pushes_and_pops_may_be_mixed(void **state)
 static void clearing_keeps_the_memory_and_starts_the_order_afresh(void **state)
 {
     (void)state;
-    toy_heap counter = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&counter);
+    tight_heap counter = {0};
+    tdsp_allocator memory = tight_allocator(&counter);
     label_heap heap;
     heap_init(&heap);
     for (uint32_t i = 0; i < 100; ++i) push(&heap, &memory, (entry){1.0, i});
@@ -109,8 +109,8 @@ static void clearing_keeps_the_memory_and_starts_the_order_afresh(void **state)
 static void a_push_without_memory_leaves_the_heap_as_it_was(void **state)
 {
     (void)state;
-    toy_heap counter = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&counter);
+    tight_heap counter = {0};
+    tdsp_allocator memory = tight_allocator(&counter);
     label_heap heap;
     tdsp_label label = {0.0, 99, 0};
     heap_init(&heap);

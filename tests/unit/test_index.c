@@ -8,7 +8,7 @@
 #include "geom/spiral.h"
 #include "scene/index.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 enum { MOST = 400 };
 
@@ -327,8 +327,8 @@ static void building_again_uses_the_memory_again(void **state)
 {
     (void)state;
     uint64_t chance = 10;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     world *w = world_make(&chance, 300, 0);
     scene_index index = {0};
     size_t calls = 0;
@@ -393,8 +393,8 @@ static void trimming_gives_back_what_only_building_needs(void **state)
 {
     (void)state;
     uint64_t chance = 11;
-    toy_heap heap = {0, 0, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     world *w = world_make(&chance, 300, 0);
     scene_index index = {0};
     index_items items = {w->discs, w->given, w->spare, w->count};

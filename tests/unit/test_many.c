@@ -3,7 +3,7 @@
 #include "support/cmocka_all.h"
 
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 
 static const tdsp_journey across = {1.0, 0.0, {-1.0, 0.0}, {21.0, 20.0}};
@@ -146,8 +146,8 @@ static void a_failing_allocation_is_reported_and_leaves_no_block(void **state)
     tdsp_disc discs[DISCS];
     static tdsp_point places[PLACES];
     static double arrivals[PLACES];
-    toy_heap heap = {0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     tdsp_scene *scene;
     tdsp_solver *solver;
     crowd(discs, places);

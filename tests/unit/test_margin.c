@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 #include "tdsp/growth.h"
 #include "tdsp/margin.h"
@@ -361,9 +361,9 @@ static void memory_that_runs_out_is_told_and_leaves_nothing(void **state)
 {
     (void)state;
     for (size_t refuse = 1;; refuse += 3) {
-        toy_heap heap;
+        tight_heap heap;
         memset(&heap, 0, sizeof heap);
-        const tdsp_allocator memory = toy_allocator(&heap);
+        const tdsp_allocator memory = tight_allocator(&heap);
         tdsp_scene *scene;
         tdsp_margin m = {.most = 7.0};
         assert_int_equal(tdsp_scene_create(&across, gap, 2, &memory, &scene), TDSP_OK);
@@ -382,9 +382,9 @@ static void memory_that_runs_out_is_told_and_leaves_nothing(void **state)
 static void memory_that_runs_out_at_a_deadline_is_told(void **state)
 {
     (void)state;
-    toy_heap heap;
+    tight_heap heap;
     memset(&heap, 0, sizeof heap);
-    const tdsp_allocator memory = toy_allocator(&heap);
+    const tdsp_allocator memory = tight_allocator(&heap);
     tdsp_scene *scene;
     tdsp_solver *solver;
     tdsp_status status = TDSP_NO_MEMORY;

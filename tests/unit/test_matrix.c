@@ -6,7 +6,7 @@
 
 #include "base/bytes.h"
 #include "support/matrix_walk.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 #include "table/matrix.h"
 #include "tdsp/build.h"
@@ -262,8 +262,8 @@ static void a_failing_allocation_is_reported_and_leaves_no_block(void **state)
 {
     (void)state;
     world w = world_make(across, discs, 2);
-    toy_heap heap = {0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     tdsp_build_options options = options_for();
     const tdsp_matrix_plan plan = plan_for(&w);
     tdsp_status status = TDSP_NO_MEMORY;

@@ -7,7 +7,7 @@
 #include "geom/angle.h"
 #include "search/neighbours.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 enum { MOST = 600, KINDS = 5 };
 
@@ -255,8 +255,8 @@ static void rings_without_memory_are_told_and_can_be_looked_up_again(void **stat
 {
     (void)state;
     static world w;
-    toy_heap heap = {0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     uint64_t chance = 6;
     world_make(&w, 200, 0, &chance, &memory);
     size_t held = heap.held;
@@ -282,8 +282,8 @@ static void a_ring_that_failed_half_way_can_be_added_later(void **state)
 {
     (void)state;
     static world w;
-    toy_heap heap = {0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {0};
+    tdsp_allocator memory = tight_allocator(&heap);
     uint64_t chance = 7;
     uint32_t place;
     int failed = 0;

@@ -83,7 +83,7 @@ static void what_was_made_is_read_and_freed_without_memory(void **state)
     assert_int_equal(tdsp_jumps_find(f.solver, NULL, &jumps), TDSP_OK);
     assert_int_equal(tdsp_envelope_find(f.solver, NULL, &envelope), TDSP_OK);
     assert_int_equal(tdsp_search_create(&f.memory, &search), TDSP_OK);
-    void *bytes = scarce_resize(&f.heap, NULL, 0, 10);
+    void *bytes = tight_resize(&f.heap, NULL, 0, 10);
     f.heap.refuse = 1;
     f.heap.and_after = 1;
     NEEDS_NONE(tdsp_jumps_count, (jumps));

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The conformance kit: a mutant for each way of breaking a rule, caught by that rule and by no other; sound oracles of every kind pass. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <string.h>
 
@@ -431,8 +432,8 @@ static void without_memory_nothing_is_handed_out_and_nothing_leaks(void **state)
     tdsp_status status = TDSP_NO_MEMORY;
     for (size_t refuse = 1; status == TDSP_NO_MEMORY; refuse++) {
         mutant m;
-        toy_heap heap = {.refuse = refuse};
-        tdsp_allocator allocator = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        tdsp_allocator allocator = tight_allocator(&heap);
         tdsp_oracle_findings found = {.calls = 77};
         mutant_make(&m);
         tdsp_oracle oracle = mutant_sound(&m);

@@ -9,15 +9,16 @@
 #include <cmocka.h>
 
 #include "support/assert.h"
+#include "support/tight.h"
 #include "support/toy_tables.h"
 
 /* Build with a counting allocator. Unless TDSP_OK nothing is handed out; nothing is held in the end in any case. */
-static tdsp_status outcome(const tdsp_oracle *oracle, const tdsp_build_options *options, toy_heap *heap)
+static tdsp_status outcome(const tdsp_oracle *oracle, const tdsp_build_options *options, tight_heap *heap)
 {
-    toy_heap own;
+    tight_heap own;
     memset(&own, 0, sizeof own);
     if (!heap) heap = &own;
-    tdsp_allocator allocator = toy_allocator(heap);
+    tdsp_allocator allocator = tight_allocator(heap);
     char untouched;
     void *bytes = &untouched;
     size_t length = 77;
@@ -375,7 +376,7 @@ static void every_allocation_may_fail(void **state)
         tdsp_status status = TDSP_NO_MEMORY;
         size_t refuse = 0;
         while (status == TDSP_NO_MEMORY) {
-            toy_heap heap = {.refuse = ++refuse};
+            tight_heap heap = {.refuse = ++refuse};
             status = outcome(&oracle, &options, &heap);
             assert_true(status == TDSP_OK || heap.calls >= refuse);
         }

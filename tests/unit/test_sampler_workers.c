@@ -10,6 +10,7 @@
 #include <glib.h>
 
 #include "support/assert.h"
+#include "support/tight.h"
 #include "support/toy_tables.h"
 
 #define MOST 5
@@ -181,7 +182,7 @@ static void bytes_of_adaptive_tables_do_not_depend_on_the_workers_either(void **
     check_worlds(toy_networks, adaptive(TDSP_GUARANTEE_ARRIVAL));
 }
 
-static tdsp_status outcome(crew *c, tdsp_run_tasks run, toy_heap *heap, tdsp_build_options options)
+static tdsp_status outcome(crew *c, tdsp_run_tasks run, tight_heap *heap, tdsp_build_options options)
 {
     options.workers = c->oracles;
     options.worker_count = c->count;
@@ -189,7 +190,7 @@ static tdsp_status outcome(crew *c, tdsp_run_tasks run, toy_heap *heap, tdsp_bui
     options.run_tasks_ctx = c;
     toy t = toy_named("bend")->toy;
     tdsp_oracle oracle = toy_oracle(&t, 0);
-    tdsp_allocator allocator = toy_allocator(heap);
+    tdsp_allocator allocator = tight_allocator(heap);
     void *bytes = NULL;
     size_t length = 0;
     tdsp_status status = tdsp_build(&oracle, &options, &allocator, &bytes, &length, NULL);
@@ -205,7 +206,7 @@ static tdsp_status outcome_of(tdsp_run_tasks run, tdsp_build_options options)
 {
     crew c;
     hire(&c, &toy_named("bend")->toy, 2, 0);
-    toy_heap heap = {0, 0, 0, 0};
+    tight_heap heap = {0};
     return outcome(&c, run, &heap, options);
 }
 
@@ -228,7 +229,7 @@ static void errors_of_a_worker_are_handed_on(void **state)
         hire(&c, &toy_named("bend")->toy, 2, 0);
         c.toys[1].fault = TOY_ERROR;
         c.toys[1].fault_at = at;
-        toy_heap heap = {0, 0, 0, 0};
+        tight_heap heap = {0};
         assert_int_equal(outcome(&c, run_backwards, &heap, geometric()), TDSP_FAILED);
     }
 }
@@ -239,7 +240,7 @@ static void every_allocation_may_fail(tdsp_build_options options)
     for (size_t refuse = 1; status == TDSP_NO_MEMORY; refuse++) {
         crew c;
         hire(&c, &toy_named("bend")->toy, 3, 0);
-        toy_heap heap = {.refuse = refuse};
+        tight_heap heap = {.refuse = refuse};
         status = outcome(&c, run_backwards, &heap, options);
         assert_true(status == TDSP_OK || heap.calls >= refuse);
     }

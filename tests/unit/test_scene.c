@@ -6,7 +6,7 @@
 
 #include "scene/scene.h"
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 
 static const tdsp_journey good_journey = {2.0, 0.25, {-3.0, 1.0}, {5.0, -2.0}};
 static const tdsp_disc good_disc = {{1.0, 2.0}, 0.5, 0.1};
@@ -113,8 +113,8 @@ static void an_index_of_many_levels_without_memory_is_refused(void **state)
     for (int i = 0; i < COUNT; i++) discs[i] = (tdsp_disc){{ldexp(1.0, -i), 0.0}, ldexp(0.1, -i), 0.0};
     tdsp_status status = TDSP_NO_MEMORY;
     for (size_t refuse = 1; status == TDSP_NO_MEMORY; refuse++) {
-        toy_heap heap = {.refuse = refuse};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {.refuse = refuse};
+        tdsp_allocator memory = tight_allocator(&heap);
         tdsp_scene *scene = NULL;
         status = tdsp_scene_create(&journey, discs, COUNT, &memory, &scene);
         tdsp_scene_free(scene);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "support/chance.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "tdsp/search.h"
 
 enum { NODES = 60, EDGES = 400 };
@@ -292,8 +292,8 @@ static void a_run_without_starts_ends_at_once(void **state)
 static void every_allocation_may_fail(void **state)
 {
     (void)state;
-    toy_heap heap = {0, 1, 0, 0};
-    tdsp_allocator memory = toy_allocator(&heap);
+    tight_heap heap = {.refuse = 1};
+    tdsp_allocator memory = tight_allocator(&heap);
     tdsp_search *search = NULL;
     served s = {{0}, 0, 0.0};
     const tdsp_label start = {1.0, 0, 1};

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 #include "tdsp/growth.h"
 #include "tdsp/shape.h"
@@ -386,8 +386,8 @@ static void every_allocation_may_fail(void **state)
 {
     (void)state;
     for (size_t k = 0; k < 2; k++) {
-        toy_heap heap = {0};
-        tdsp_allocator memory = toy_allocator(&heap);
+        tight_heap heap = {0};
+        tdsp_allocator memory = tight_allocator(&heap);
         tdsp_scene *scene;
         tdsp_solver *solver;
         tdsp_status status = TDSP_NO_MEMORY;

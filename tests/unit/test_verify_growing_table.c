@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The verifier of tables where rates change, its memory, and what it does with legs that go around for ever. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <stdlib.h>
 
@@ -137,41 +138,22 @@ static void a_leg_that_goes_around_for_ever_is_judged_in_time(void **state)
     tdsp_scene_free(scene);
 }
 
-/* An allocator that refuses from some moment on, and counts what is out. */
-typedef struct tight_memory {
-    int allowed;
-    int blocks;
-} tight_memory;
-
-static void *tight_resize(void *ctx, void *block, size_t old_size, size_t new_size)
-{
-    tight_memory *memory = ctx;
-    (void)old_size;
-    if (new_size == 0) {
-        memory->blocks--;
-        free(block);
-        return NULL;
-    }
-    if (memory->allowed-- <= 0) return NULL;
-    if (!block) memory->blocks++;
-    return realloc(block, new_size);
-}
-
 static void a_refused_allocation_is_an_error_and_leaks_nothing(void **state)
 {
     (void)state;
-    tight_memory memory = {1000, 0};
-    const tdsp_allocator allocator = {&memory, tight_resize};
+    tight_heap heap = {.and_after = 1};
+    const tdsp_allocator allocator = tight_allocator(&heap);
     tdsp_leg legs[RIDE];
     tdsp_verdict verdict;
     make_ride(legs);
     tdsp_scene *scene = scene_of(legs, 0, law.c + 1, 2, &allocator);
-    const int before = memory.blocks;
-    int refused = 0;
-    for (int allowed = 0;; allowed++) {
-        memory.allowed = allowed;
+    const size_t before = heap.blocks;
+    unsigned refused = 0;
+    for (;;) {
+        heap.calls = 0;
+        heap.refuse = refused + 1;
         const tdsp_status status = tdsp_verify_path(scene, legs, RIDE, 0.5, 2, &verdict);
-        assert_int_equal(memory.blocks, before);
+        assert_int_equal(heap.blocks, before);
         if (status == TDSP_OK) break;
         assert_int_equal(status, TDSP_NO_MEMORY);
         refused++;
@@ -179,7 +161,7 @@ static void a_refused_allocation_is_an_error_and_leaks_nothing(void **state)
     assert_int_equal(refused, 3);
     assert_int_equal(verdict.problems, 0);
     tdsp_scene_free(scene);
-    assert_int_equal(memory.blocks, 0);
+    assert_int_equal(heap.blocks, 0);
 }
 
 int main(void)

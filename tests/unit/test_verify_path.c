@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The verifier of paths against sampling, and against paths with one thing wrong. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <stdlib.h>
 
@@ -423,46 +424,26 @@ static void arguments_out_of_range_are_refused(void **state)
     tdsp_scene_free(scene);
 }
 
-/* An allocator that refuses from some moment on, and counts what is out. */
-typedef struct tight_memory {
-    int allowed;
-    int blocks;
-} tight_memory;
-
-static void *tight_resize(void *ctx, void *block, size_t old_size, size_t new_size)
-{
-    tight_memory *memory = ctx;
-    (void)old_size;
-    if (new_size == 0) {
-        memory->blocks--;
-        free(block);
-        return NULL;
-    }
-    if (memory->allowed-- <= 0) return NULL;
-    if (!block) memory->blocks++;
-    return realloc(block, new_size);
-}
-
 static void a_refused_allocation_is_an_error_and_leaks_nothing(void **state)
 {
     (void)state;
-    tight_memory memory = {1000, 0};
-    const tdsp_allocator allocator = {&memory, tight_resize};
+    tight_heap heap = {.and_after = 1};
+    const tdsp_allocator allocator = tight_allocator(&heap);
     tdsp_scene *scene;
     tdsp_verdict verdict;
     const tdsp_leg leg = line(0.0, 20.0, gap_journey.source, gap_journey.destination);
     assert_int_equal(tdsp_scene_create(&gap_journey, gap_discs, 2, &allocator, &scene), TDSP_OK);
-    const int before = memory.blocks;
-    for (memory.allowed = 0;; memory.allowed++) {
-        const int allowed = memory.allowed;
+    const size_t before = heap.blocks;
+    for (size_t refuse = 1;; refuse++) {
+        heap.calls = 0;
+        heap.refuse = refuse;
         const tdsp_status status = tdsp_verify_path(scene, &leg, 1, 0.0, 20.0, &verdict);
-        assert_int_equal(memory.blocks, before);
+        assert_int_equal(heap.blocks, before);
         if (status == TDSP_OK) break;
         assert_int_equal(status, TDSP_NO_MEMORY);
-        memory.allowed = allowed;
     }
     tdsp_scene_free(scene);
-    assert_int_equal(memory.blocks, 0);
+    assert_int_equal(heap.blocks, 0);
 }
 
 int main(void)

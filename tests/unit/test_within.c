@@ -8,7 +8,7 @@
 #include "search/solver.h"
 #include "support/chance.h"
 #include "support/random_scene.h"
-#include "support/toy_tables.h"
+#include "support/tight.h"
 #include "support/world.h"
 #include "tdsp/verify.h"
 
@@ -326,7 +326,7 @@ static void an_answer_does_not_depend_on_the_questions_before(void **state)
 
 /* A question whose every allocation is to fail in turn. */
 typedef struct fault_case {
-    toy_heap heap;
+    tight_heap heap;
     tdsp_allocator memory;
     tdsp_scene *scene;
     tdsp_solver *solver;
@@ -379,7 +379,7 @@ static void an_answer_without_memory_is_told_and_can_be_asked_again(void **state
     for (int k = 0; k < 8; ++k) {
         size_t count = k < 2 ? crowd(discs, 40, 0.01, 1, &chance) : k < 6 ? crowd(discs, 400, 0.001, 0, &chance) : sealed(discs, 400, 12.0, 0.001, &chance);
         memset(&f, 0, sizeof f);
-        f.memory = toy_allocator(&f.heap);
+        f.memory = tight_allocator(&f.heap);
         f.delta = deltas[2 + k % 3];
         assert_int_equal(tdsp_scene_create(&across, discs, count, &f.memory, &f.scene), TDSP_OK);
         assert_int_equal(tdsp_solver_create(f.scene, &f.solver), TDSP_OK);

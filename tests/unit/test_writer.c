@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The writer: what went in comes out, what contradicts the format does not get out, and memory may fail anywhere. */
 #include "support/cmocka_all.h"
+#include "support/tight.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -266,32 +267,9 @@ static void what_the_caller_forgot_is_refused(void **state)
     tdsp_bytes_free(NULL, NULL, 0);
 }
 
-/* Hands out memory a number of times, then no more; knows what is out, and that sizes are told truly. */
-typedef struct tight {
-    long left;
-    size_t out;
-} tight;
-
-static void *tight_resize(void *ctx, void *block, size_t old_size, size_t new_size)
+static tdsp_status write_within(tight_heap *heap, const golden_table *golden)
 {
-    tight *t = ctx;
-    size_t *head = block ? (size_t *)block - 2 : NULL;
-    assert_int_equal(head ? head[0] : 0, old_size);
-    if (new_size > 0 && t->left-- <= 0) return NULL;
-    t->out = t->out - old_size + new_size;
-    if (new_size == 0) {
-        free(head);
-        return NULL;
-    }
-    head = realloc(head, new_size + 2 * sizeof *head);
-    assert_non_null(head);
-    head[0] = new_size;
-    return head + 2;
-}
-
-static tdsp_status write_within(tight *t, const golden_table *golden)
-{
-    const tdsp_allocator allocator = {t, tight_resize};
+    const tdsp_allocator allocator = tight_allocator(heap);
     void *bytes;
     size_t length;
     writer *w = golden_fill(golden, &allocator);
@@ -299,7 +277,7 @@ static tdsp_status write_within(tight *t, const golden_table *golden)
     tdsp_status status = writer_finish(w, &golden->header, &bytes, &length);
     writer_free(w);
     if (status != TDSP_OK) return status;
-    assert_int_equal(t->out, length);
+    assert_int_equal(heap->held, length);
     tdsp_bytes_free(&allocator, bytes, length);
     return TDSP_OK;
 }
@@ -309,15 +287,15 @@ static void memory_may_fail_anywhere_and_nothing_leaks(void **state)
     (void)state;
     for (size_t which = 0; which < GOLDEN_COUNT; which++) {
         tdsp_status status = TDSP_NO_MEMORY;
-        long allowed = 0;
-        for (; status != TDSP_OK && allowed < 100; allowed++) {
-            tight t = {allowed, 0};
-            status = write_within(&t, &golden_tables[which]);
+        size_t refuse = 1;
+        for (; status != TDSP_OK && refuse < 100; refuse++) {
+            tight_heap heap = {.refuse = refuse, .and_after = 1};
+            status = write_within(&heap, &golden_tables[which]);
             assert_true(status == TDSP_OK || status == TDSP_NO_MEMORY);
-            assert_int_equal(t.out, 0);
+            assert_int_equal(heap.held, 0);
         }
         assert_int_equal(status, TDSP_OK);
-        assert_true(allowed > 3);
+        assert_true(refuse > 4);
     }
 }
 

@@ -56,6 +56,15 @@ static double law_end_within_until(const law_piece *piece, double radius)
     return over.c[0] < 0.0 ? piece->start + polynomial_first_root(&over) : piece->start;
 }
 
+/* Roots are told apart down to a share of an interval, and a piece may be far longer than this from what is asked for: an end of it that is still past that. */
+#define SHORTER 0x1p-16
+
+static double length_around_root(const polynomial *over, double length)
+{
+    while (polynomial_value(over, SHORTER * length) > 0.0) length *= SHORTER;
+    return length;
+}
+
 double law_within_until(const geom_law *law, double radius)
 {
     double roots[POLYNOMIAL_DEGREE];
@@ -66,7 +75,7 @@ double law_within_until(const geom_law *law, double radius)
     double length = piece[1].start - piece->start;
     polynomial over = law_piece_polynomial(piece);
     over.c[0] -= radius;
-    int found = polynomial_roots(&over, 0.0, length, roots);
+    int found = polynomial_roots(&over, 0.0, length_around_root(&over, length), roots);
     if (found > 0) return math_min(piece->start + roots[found - 1], piece[1].start);
     return polynomial_value(&over, length) > 0.0 ? piece->start : piece[1].start;
 }

@@ -113,6 +113,20 @@ static void a_radius_at_which_a_law_rests_is_kept_until_it_grows_on(void **state
     assert_exact(law_within_until(&law, 1.0), INFINITY);
 }
 
+/* A radius that falls, by a coefficient below rounding, at 3.4e204: until then it is one piece. It was taken to cover a place at 1 at 9e50. */
+static void a_radius_is_reached_early_in_a_piece_however_long_it_is(void **state)
+{
+    (void)state;
+    for (double end = 1e2; end < 1e205; end *= 1e3) {
+        law_piece pieces[] = {{0.0, {0.0, 0.1, 5.1, -1e-204}, 3}, {end, {1e200, 1.0}, 1}};
+        geom_law law = {pieces, 2};
+        for (double radius = 1e-200; radius < 1e3; radius *= 1e3) {
+            double reached = 2.0 * radius / (0.1 + sqrt(0.01 + 20.4 * radius));
+            assert_near(law_within_until(&law, radius), reached, 1e-14 * reached);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -121,6 +135,7 @@ int main(void)
         cmocka_unit_test(a_law_is_within_a_radius_until_it_reaches_it),
         cmocka_unit_test(a_radius_reached_where_a_piece_ends_is_kept_until_there),
         cmocka_unit_test(a_radius_at_which_a_law_rests_is_kept_until_it_grows_on),
+        cmocka_unit_test(a_radius_is_reached_early_in_a_piece_however_long_it_is),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -56,23 +56,25 @@ double soak_step(const soak_case *c, const soak_world *world, double time)
     return c->looser * SOAK_TOUCH * (world->unit + time);
 }
 
-int soak_open_moved(const soak_case *c, const soak_world *world, double sign, soak_world *moved)
+int soak_open_moved(const soak_case *c, const soak_world *world, double departure, double sign, soak_world *moved)
 {
     static soak_scene scenes[2]; /* one for each sign: both may be open */
     soak_scene *scene = &scenes[sign > 0.0];
-    soak_copy(scene, world->is);
-    soak_inflate(scene, sign * c->looser * c->touches * SOAK_TOUCH, sign * c->looser * SOAK_ROUNDING, c->later);
     tdsp_ends ends;
-    if (soak_open(scene, TDSP_METHOD_AUTO, moved) != TDSP_OK) return 0;
-    return tdsp_solver_ends(world->solver, &ends) == TDSP_OK && tdsp_solver_set_ends(moved->solver, &ends) == TDSP_OK;
+    if (tdsp_solver_ends(world->solver, &ends) != TDSP_OK) return 0;
+    const soak_nudge nudge = {sign * c->looser * c->touches * SOAK_TOUCH, sign * c->looser * SOAK_ROUNDING, c->later, ends.source, departure};
+    soak_copy(scene, world->is);
+    soak_inflate(scene, &nudge);
+    return soak_open(scene, TDSP_METHOD_AUTO, moved) == TDSP_OK && tdsp_solver_set_ends(moved->solver, &ends) == TDSP_OK;
 }
 
 /* A(t) among the discs moved by what may be a touch. */
 static double ask_moved(soak_case *c, const soak_world *world, double departure, double sign)
 {
     soak_world moved;
-    if (!soak_open_moved(c, world, sign, &moved)) return NAN;
-    const double found = soak_ask(c, &moved, fmax(0.0, departure + sign * soak_step(c, world, departure)));
+    const double then = fmax(0.0, departure + sign * soak_step(c, world, departure));
+    if (!soak_open_moved(c, world, then, sign, &moved)) return NAN;
+    const double found = soak_ask(c, &moved, then);
     soak_close(&moved);
     return found;
 }

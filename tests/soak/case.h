@@ -52,8 +52,8 @@ void soak_agrees(soak_case *c, const soak_world *world, double departure, double
 /* What two answers may differ by that are the same. */
 double soak_slack(const soak_case *c, const soak_world *world, double departure, double arrival);
 
-/* The world among discs smaller (-1) or larger (+1) by what may be a touch, and a time moved by as much. 0 where there is none. */
-int soak_open_moved(const soak_case *c, const soak_world *world, double sign, soak_world *moved);
+/* The world among discs smaller (-1) or larger (+1) by what may be a touch, for who leaves then or later, and a time moved by as much. 0 where there is none. */
+int soak_open_moved(const soak_case *c, const soak_world *world, double departure, double sign, soak_world *moved);
 double soak_step(const soak_case *c, const soak_world *world, double time);
 
 /* A number below `count` from the case's own chance. */

@@ -51,7 +51,7 @@ static void rises(soak_case *c, double before, double later)
     if (isnan(travel) || isnan(least) || !(travel < least - slack)) return;
     c->forgiven++;
     c->touches = 0.0;
-    if (!soak_open_moved(c, &c->world, -1.0, &smaller)) return;
+    if (!soak_open_moved(c, &c->world, jump, -1.0, &smaller)) return;
     const double bound = soak_ask(c, &smaller, jump) - jump;
     soak_close(&smaller);
     if (travel < bound - slack)
@@ -129,7 +129,7 @@ static void is_no_earlier(soak_case *c, double t, double a, double latest)
     soak_world larger;
     double arrives;
     if (latest >= least) return;
-    if (!soak_open_moved(c, &c->world, 1.0, &larger)) return;
+    if (!soak_open_moved(c, &c->world, t, 1.0, &larger)) return;
     double bound = latest_in(c, &larger, a, &arrives);
     soak_close(&larger);
     c->forgiven++;

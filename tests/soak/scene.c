@@ -6,6 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* No number of a scene is beyond this. */
+#define LARGEST 1e100
+
+enum { HALVINGS = 60 };
+
 void soak_copy(soak_scene *to, const soak_scene *from)
 {
     memcpy(to, from, offsetof(soak_scene, discs) + from->count * sizeof from->discs[0]);
@@ -120,19 +125,6 @@ void soak_place(soak_scene *scene, const grown_change *change)
     for (size_t i = 0; i < scene->count; i++) place_disc(&scene->discs[i], change);
 }
 
-void soak_inflate(soak_scene *scene, double share, double rounding, double time)
-{
-    const tdsp_point s = scene->journey.source;
-    const double distance = soak_distance(scene), rest = rounding * (soak_magnitude(scene) + scene->journey.speed * time);
-    for (size_t i = 0; i < scene->count; i++) {
-        soak_disc *disc = &scene->discs[i];
-        const double away = hypot(disc->center.x - s.x, disc->center.y - s.y);
-        const double radius = fmax(0.0, disc->radius + share * (distance + away + disc->radius) + rest);
-        disc->parts.radius = fmax(0.0, disc->parts.radius + radius - disc->radius);
-        disc->radius = disc->growth.kind == TDSP_GROWTH_LAW ? disc->parts.radius : radius;
-    }
-}
-
 static double radius_of_steps(const soak_disc *disc, double time)
 {
     double radius = disc->radius;
@@ -170,10 +162,14 @@ double soak_radius(const soak_scene *scene, size_t i, double time)
     return disc->radius + disc->growth.rate * time + scene->journey.radius;
 }
 
+static double distance(tdsp_point a, tdsp_point b)
+{
+    return hypot(b.x - a.x, b.y - a.y);
+}
+
 double soak_distance(const soak_scene *scene)
 {
-    const tdsp_point s = scene->journey.source, d = scene->journey.destination;
-    return hypot(d.x - s.x, d.y - s.y);
+    return distance(scene->journey.source, scene->journey.destination);
 }
 
 static double largest(tdsp_point p)
@@ -187,4 +183,73 @@ double soak_magnitude(const soak_scene *scene)
     for (size_t i = 0; i < scene->count; i++)
         most = fmax(most, fmax(largest(scene->discs[i].center), scene->discs[i].radius + scene->journey.radius));
     return most;
+}
+
+static int is_moderate(double x)
+{
+    return fabs(x) <= LARGEST;
+}
+
+static int disc_is_within_limits(const soak_disc *disc)
+{
+    const size_t count = disc->growth.kind == TDSP_GROWTH_RATE ? 0 : disc->growth.count;
+    for (size_t k = 0; k < count; k++)
+        if (!is_moderate(disc->values[k]) || !is_moderate(disc->times[k])) return 0;
+    return is_moderate(disc->center.x) && is_moderate(disc->center.y) && is_moderate(disc->radius) && is_moderate(disc->growth.rate) &&
+           is_moderate(disc->growth.until);
+}
+
+int soak_is_within_limits(const soak_scene *scene)
+{
+    const tdsp_journey *j = &scene->journey;
+    for (size_t i = 0; i < scene->count; i++)
+        if (!disc_is_within_limits(&scene->discs[i])) return 0;
+    return is_moderate(j->speed) && is_moderate(1.0 / j->speed) && is_moderate(j->radius) && is_moderate(largest(j->source)) &&
+           is_moderate(largest(j->destination));
+}
+
+static void set_radius(soak_disc *disc, double radius)
+{
+    disc->parts.radius = fmax(0.0, disc->parts.radius + radius - disc->radius);
+    disc->radius = disc->growth.kind == TDSP_GROWTH_LAW ? disc->parts.radius : radius;
+}
+
+static void grow_by_share(soak_disc *disc, double share)
+{
+    disc->growth.rate *= share;
+    for (size_t k = 0; k < GROWTH_MOST_VALUES; k++) disc->values[k] *= share;
+    for (size_t k = 0; k < disc->parts.count; k++) disc->parts.shares[k] *= share;
+}
+
+/* No robot that leaves so meets the disc before this. */
+static double first_meeting(const soak_scene *scene, size_t i, const soak_nudge *nudge)
+{
+    const double speed = scene->journey.speed, away = distance(scene->discs[i].center, nudge->start);
+    double low = nudge->departure, high = low + away / speed;
+    for (int step = 0; step < HALVINGS; step++) {
+        const double middle = 0.5 * (low + high);
+        *(soak_radius(scene, i, middle) + speed * (middle - nudge->departure) < away ? &low : &high) = middle;
+    }
+    return low;
+}
+
+static void inflate_disc(soak_scene *scene, size_t i, const soak_nudge *nudge, double by)
+{
+    soak_disc *disc = &scene->discs[i];
+    const double radius = disc->radius + by, grown = soak_radius(scene, i, first_meeting(scene, i, nudge)) - disc->radius;
+    set_radius(disc, fmax(0.0, radius));
+    if (radius < 0.0) grow_by_share(disc, fmax(0.0, 1.0 + radius / grown));
+}
+
+void soak_inflate(soak_scene *scene, const soak_nudge *nudge)
+{
+    tdsp_journey *j = &scene->journey;
+    const double rest = nudge->rounding * (soak_magnitude(scene) + j->speed * nudge->time);
+    for (size_t i = 0; i < scene->count; i++) set_radius(&scene->discs[i], scene->discs[i].radius + j->radius);
+    j->radius = 0.0;
+    for (size_t i = 0; i < scene->count; i++) {
+        const soak_disc *disc = &scene->discs[i];
+        const double sizes = soak_distance(scene) + distance(disc->center, j->source) + disc->radius;
+        inflate_disc(scene, i, nudge, nudge->share * sizes + rest);
+    }
 }

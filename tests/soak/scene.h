@@ -55,11 +55,23 @@ int soak_has_laws(const soak_scene *scene);
 /* Turned, mirrored before where asked, in other units, moved: as grown_place(). */
 void soak_place(soak_scene *scene, const grown_change *change);
 
+/* Are all numbers such as a scene may have? */
+int soak_is_within_limits(const soak_scene *scene);
+
+/* By how much radii change, and for whom: a robot that leaves `start` at `departure`. */
+typedef struct soak_nudge {
+    double share;    /* of what a path to the disc measures */
+    double rounding; /* of the largest number in a place at `time` */
+    double time;
+    tdsp_point start;
+    double departure;
+} soak_nudge;
+
 /*
- * Every radius greater by the share of what a path to its disc measures, and by the share `rounding` of the largest number in a place at that time; less
- * where these are negative, but none falls below 0.
+ * Every radius, the robot's included, greater by so much, or less where the shares are negative. None falls below 0: what is too small at time 0 to become less by all of it grows
+ * less in proportion, so that it is less by all of it from the moment on in which the robot can first meet it.
  */
-void soak_inflate(soak_scene *scene, double share, double rounding, double time);
+void soak_inflate(soak_scene *scene, const soak_nudge *nudge);
 
 /* A disc's radius with the robot's, by the definition of its law. */
 double soak_radius(const soak_scene *scene, size_t disc, double time);

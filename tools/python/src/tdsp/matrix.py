@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import math
-import mmap
 from contextlib import ExitStack
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional, Sequence, Union
@@ -15,8 +14,8 @@ from . import _abi
 from ._abi import Status
 from ._arrays import PointLike, Statuses, address, bytes_at, point, text_address, view
 from ._callbacks import Caught
-from ._files import PathLike, write_atomically
 from ._library import lib
+from ._opened import Opened
 from .sampler import About, Call, Options, Progress, built_bytes, scene_about
 from .errors import InvalidArgument, check, error_for
 from .scene import Scene
@@ -51,7 +50,7 @@ class MatrixReport:
     reverse_calls: int
 
 
-class Matrix:
+class Matrix(Opened[_abi.tdsp_matrix]):
     """A matrix, opened over bytes that are not copied; tables of it show the same bytes.
 
     >>> import tdsp
@@ -65,52 +64,14 @@ class Matrix:
     True
     """
 
+    _kind = "matrix"
+
     def __init__(self, buffer: Any, *, _report: Optional[MatrixReport] = None, _about: str = "matrix") -> None:
         self._bytes = view(buffer)
-        self._struct: Optional[_abi.tdsp_matrix] = _abi.tdsp_matrix()
+        self._struct = _abi.tdsp_matrix()
         #: What building it cost; None for a matrix that was opened.
         self.report = _report
         check(lib.tdsp_matrix_open(ctypes.byref(self._struct), address(self._bytes), len(self._bytes)), _about)
-
-    @classmethod
-    def open(cls, path: PathLike) -> Matrix:
-        """Map a file and open the matrix in it, as `Table.open`."""
-        with open(path, "rb") as file:
-            empty = file.seek(0, 2) == 0
-            mapped = b"" if empty else mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        return cls(mapped, _about=str(path))
-
-    def close(self) -> None:
-        """Let go of the bytes. Tables that were taken from it stay open."""
-        self._struct, self._bytes = None, np.empty(0, np.uint8)
-
-    def __enter__(self) -> Matrix:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    @property
-    def _pointer(self) -> Any:
-        if self._struct is None:
-            raise ValueError("tdsp: this matrix is closed")
-        return ctypes.byref(self._struct)
-
-    @property
-    def buffer(self) -> memoryview:
-        """The matrix's bytes, not copied, read-only."""
-        assert self._pointer is not None
-        return self._bytes.data.toreadonly()
-
-    def __bytes__(self) -> bytes:
-        return self.buffer.tobytes()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Matrix, (bytes(self),)
-
-    def save(self, path: PathLike) -> None:
-        """Write the matrix to a file, which appears whole or not at all."""
-        write_atomically(path, self.buffer)
 
     def __repr__(self) -> str:
         if self._struct is None:
@@ -164,7 +125,7 @@ class Matrix:
         i, j = pair
         status, struct = self._table(i, j)
         check(status, f"pair {i}, {j}")
-        return Table._opened(struct, self._bytes)
+        return Table._inside(struct, self._bytes)
 
 
 def _ends(values: Sequence[Any], what: str) -> tuple[Any, list[bytes]]:

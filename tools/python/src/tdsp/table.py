@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import mmap
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Iterator, Optional
 
@@ -13,8 +12,8 @@ import numpy.typing as npt
 from . import _abi
 from ._abi import Guarantee, Monotone, Sampling, Status
 from ._arrays import LEG_DTYPE, ROW_DTYPE, Floats, Statuses, address, floats, view
-from ._files import PathLike, write_atomically
 from ._library import lib
+from ._opened import Opened
 from .errors import InvalidArgument, check
 from .path import Path, read_legs
 from .values import (Departure, Departures, EndsLike, Interval, Intervals, Point, Row, TableJump, gap_from, point_from, statuses)
@@ -61,7 +60,7 @@ class TableInfo:
     gaps: int
 
 
-class Table:
+class Table(Opened[_abi.tdsp_table]):
     """A table, opened over bytes that are not copied: a `bytes`, a mapped file, any buffer, which must stay as it is.
 
     Any number of threads may read one table, and questions let go of the interpreter's lock.
@@ -80,69 +79,23 @@ class Table:
     True
     """
 
+    _kind = "table"
+
     def __init__(self, buffer: Any, *, accepted: bool = False, _report: Optional[BuildReport] = None, _about: str = "table") -> None:
         self._bytes = view(buffer)
-        self._struct: Optional[_abi.tdsp_table] = _abi.tdsp_table()
+        self._struct = _abi.tdsp_table()
         #: What building it cost; None for a table that was opened.
         self.report = _report
         opening = lib.tdsp_table_reopen if accepted else lib.tdsp_table_open
         check(opening(ctypes.byref(self._struct), address(self._bytes), len(self._bytes)), _about)
 
     @classmethod
-    def open(cls, path: PathLike) -> Table:
-        """Map a file and open the table in it. The pages that questions touch are read, and shared by all processes that do.
-
-        Use it in a `with`, or drop it: the file is unmapped when the table and everything that shows its bytes are gone. A file that is
-        changed in place meanwhile changes the table; one that is replaced by renaming, as `save` does, does not.
-
-        :raises DataError: with the file's name; see the class
-        :raises OSError: the file cannot be read
-        """
-        with open(path, "rb") as file:
-            # An empty file cannot be mapped; the library says what is wrong with it.
-            empty = file.seek(0, 2) == 0
-            mapped = b"" if empty else mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)
-        return cls(mapped, _about=str(path))
-
-    @classmethod
-    def _opened(cls, struct: _abi.tdsp_table, whole: npt.NDArray[np.uint8]) -> Table:
+    def _inside(cls, struct: _abi.tdsp_table, whole: npt.NDArray[np.uint8]) -> Table:
         """A table inside a matrix, which has been opened already."""
         table = cls.__new__(cls)
         start = int(struct.bytes or 0) - address(whole)
         table._bytes, table._struct, table.report = whole[start:start + struct.length], struct, None
         return table
-
-    def close(self) -> None:
-        """Let go of the bytes. Questions raise ValueError from now on."""
-        self._struct, self._bytes = None, np.empty(0, np.uint8)
-
-    def __enter__(self) -> Table:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
-    @property
-    def _pointer(self) -> Any:
-        if self._struct is None:
-            raise ValueError("tdsp: this table is closed")
-        return ctypes.byref(self._struct)
-
-    @property
-    def buffer(self) -> memoryview:
-        """The table's bytes, not copied, read-only."""
-        assert self._pointer is not None
-        return self._bytes.data.toreadonly()
-
-    def __bytes__(self) -> bytes:
-        return self.buffer.tobytes()
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        return Table, (bytes(self),)
-
-    def save(self, path: PathLike) -> None:
-        """Write the table to a file, which appears whole or not at all."""
-        write_atomically(path, self.buffer)
 
     def __len__(self) -> int:
         assert self._pointer is not None and self._struct is not None

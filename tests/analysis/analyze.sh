@@ -33,7 +33,7 @@ clang-tidy) clang-tidy-19 --quiet "$@" -- "${flags[@]}" >"$report" 2>/dev/null |
 esac
 if [ $status -ne 0 ]; then
     echo "not ok $analyzer"
-    head -n 100 "$report" >&2
+    cat "$report" >&2
     exit 1
 fi
 echo "ok $analyzer: $# files"

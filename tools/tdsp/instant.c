@@ -38,5 +38,6 @@ const char *instant_format(char buffer[INSTANT_ROOM], const Epoch *epoch, double
     g_snprintf(buffer, INSTANT_ROOM, "%04d-%02d-%02dT%02d:%02d:%02d", g_date_time_get_year(at), g_date_time_get_month(at),
                g_date_time_get_day_of_month(at), g_date_time_get_hour(at), g_date_time_get_minute(at), g_date_time_get_second(at));
     append_fraction(buffer, INSTANT_ROOM - 1, fraction);
-    return strcat(buffer, "Z");
+    g_strlcat(buffer, "Z", INSTANT_ROOM);
+    return buffer;
 }

@@ -124,9 +124,9 @@ static void end_element(Canvas *canvas, const char *name)
 
 static void draw_shape(Canvas *canvas, const Shape *shape)
 {
-    const Piece *only = shape->pieces->len == 1 ? &g_array_index(shape->pieces, Piece, 0) : NULL;
-    gboolean circle = only && only->kind == PIECE_CIRCLE;
+    gboolean circle = shape->pieces->len == 1 && g_array_index(shape->pieces, Piece, 0).kind == PIECE_CIRCLE;
     if (circle) {
+        const Piece *only = &g_array_index(shape->pieces, Piece, 0);
         g_string_append(canvas->svg, "<circle");
         append_attribute(canvas->svg, "cx", only->to.x);
         append_attribute(canvas->svg, "cy", only->to.y);

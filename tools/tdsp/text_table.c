@@ -7,7 +7,7 @@
 
 TextTable text_table_new(const char *const *heading)
 {
-    TextTable table = {g_strv_length((char **)(gpointer)heading), g_ptr_array_new_with_free_func(g_free)};
+    TextTable table = {g_strv_length((char **)heading), g_ptr_array_new_with_free_func(g_free)};
     for (guint i = 0; i < table.columns; i++)
         g_ptr_array_add(table.cells, g_strdup_printf("%s%s", i == 0 ? "# " : "", heading[i]));
     return table;

@@ -386,12 +386,12 @@ tdsp_status leave_touch(growth_engine *engine, const growth_chunk *chunk, uint32
     const growth_shape *shape = engine_shape(engine, change->disc);
     growth_moment moment = chunk_moment(chunk, change->at);
     sight_line line = rider_leaves(chunk->shape, chunk->sign, chunk->ride, &moment);
-    growth_leg leg = {.ride = ride, .leave = moment, .line = line, .arrive = change->at, .disc = change->disc, .run = shape->spans[change->span].run};
+    growth_leg leg = {.ride = ride, .leave = moment, .line = line, .arrive = moment.time, .disc = change->disc, .run = shape->spans[change->span].run};
     leg.side = side_of(point_cross(line.unit, point_sub(shape->center, line.from)));
     leg.land.span = change->span;
     leg.land.in_fan = change->is_at_corner;
-    leg.land.time = change->at;
-    leg.land.theta = landing_theta(shape->center, leg.side, &line, change->at);
+    leg.land.time = moment.time;
+    leg.land.theta = landing_theta(shape->center, leg.side, &line, moment.time);
     leg.bound = point_distance(line.from, engine->question.goal);
     return leg.run == SHAPE_NONE || leg.side == chunk->ride->side ? TDSP_OK : growth_push_leg(engine, &leg);
 }

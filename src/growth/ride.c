@@ -7,8 +7,8 @@
 /* How much of a touch may be rounding. */
 #define TOUCH_SAME 1e-3
 
-/* A ride that begins inside a disc by at most so many touches came over from there at a touch, and is let out again. */
-#define GRACE 2.5
+/* A touch of the disc ridden, and a little more: no deeper in another begins who came over from there. */
+#define GRACE 1.25
 
 /* Parts of one chunk against one disc after which a touch is taken to be none: a boundary that is followed for a while. */
 #define MOST_LOOKS 3000
@@ -16,7 +16,7 @@
 #define STACK 64
 
 typedef struct ride_sample {
-    double at;
+    double at;        /* the time */
     tdsp_point place; /* from the other's centre */
     double radius;    /* of the other */
     double heading;
@@ -29,15 +29,16 @@ typedef struct ride_pass {
     double grace;  /* touches that are forgiven besides one */
     double least;  /* the least clearance seen, in touches, */
     double before, after; /* ... between these */
+    double floor;         /* none is less, seen or not */
 } ride_pass;
 
 static ride_sample sample_at(const ride_pass *pass, double at)
 {
     const growth_chunk *chunk = pass->chunk;
     growth_moment moment = chunk_moment(chunk, at);
-    ride_sample sample = {at, rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), 0.0, 0.0};
+    ride_sample sample = {moment.time, rider_place(chunk->shape, chunk->sign, chunk->ride, &moment), 0.0, 0.0};
     sample.place = point_sub(sample.place, pass->other->center);
-    sample.radius = shape_jet(pass->other, pass->span, chunk->sign * at).radius;
+    sample.radius = shape_jet(pass->other, pass->span, chunk->sign * moment.time).radius;
     sample.heading = rider_heading(chunk->shape, chunk->sign, chunk->ride, &moment);
     return sample;
 }
@@ -88,16 +89,17 @@ static double bend_bound(const ride_pass *pass, double a, double b)
     return sum;
 }
 
-static int part_is_free(const ride_pass *pass, const ride_sample *a, const ride_sample *b)
+/* No clearance on the part is less, in touches. */
+static double part_least(const ride_pass *pass, const ride_sample *a, const ride_sample *b)
 {
     double width = b->at - a->at, turn = fabs(b->heading - a->heading);
     tdsp_point middle = point_scale(0.5, point_add(a->place, b->place));
     double distance = point_length(middle);
-    if (!(distance > 0.0)) return 0;
+    if (!(distance > 0.0)) return -INFINITY;
     double from = point_dot(a->place, middle) / distance - a->radius, to = point_dot(b->place, middle) / distance - b->radius;
     tdsp_point half = point_unit(0.5 * turn);
     double sag = 0.5 * width * (half.y / half.x) + bend_bound(pass, a->at, b->at) * width * width / 8.0;
-    return math_min(from, to) - sag >= (1.0 + pass->grace) * touch_of(pass, b->radius > a->radius ? b : a, distance);
+    return (sag - math_min(from, to)) / touch_of(pass, b->radius > a->radius ? b : a, distance);
 }
 
 /* Around one centre only the radii count; they cross where their difference does. */
@@ -119,15 +121,20 @@ static double first_inside(const ride_pass *pass, double low, double high)
     return low;
 }
 
-/* The touches forgiven to a ride that begins inside the other, no deeper than who changed over from there, and is about to come out. */
+/*
+ * The touches forgiven to a ride that begins inside the other and is about to come out. One that came over from there was let past in proportion to the disc that it rides
+ * now, which may be many touches of the other's where that is the smaller.
+ */
 static double begin_grace(const ride_pass *pass)
 {
-    ride_sample start = sample_at(pass, pass->chunk->from);
+    const growth_chunk *chunk = pass->chunk;
+    ride_sample start = sample_at(pass, chunk->from);
     double clearance = sample_clearance(pass, &start), slope = sample_slope(pass, &start), distance = point_length(start.place);
-    double rate = sight_rate(pass->other, pass->chunk->sign, pass->span, start.at);
-    if (start.at > pass->chunk->ride->start.time || clearance >= -1.0 || clearance < -GRACE) return 0.0;
-    int is_turning = slope * slope * distance <= (1.0 - rate * rate) * GRACE * -touch_of(pass, &start, distance);
-    return slope >= 0.0 || is_turning ? 2.0 * GRACE : 0.0;
+    double own = shape_jet(chunk->shape, chunk->base.span, chunk->sign * start.at).radius, touch = -touch_of(pass, &start, distance);
+    double forgiven = GRACE * tolerance_touch(chunk->shape->center, 2.0 * own), rate = sight_rate(pass->other, chunk->sign, pass->span, start.at);
+    if (start.at > chunk->ride->start.time || clearance >= -1.0 || clearance * touch < -forgiven) return 0.0;
+    int is_turning = slope * slope * distance <= (1.0 - rate * rate) * forgiven;
+    return slope >= 0.0 || is_turning ? 2.0 * forgiven / touch : 0.0;
 }
 
 /* The first contact on [from, to], on one span of the other; `to` when there is none, and then *hit stays. */
@@ -142,9 +149,11 @@ static double pass_span(ride_pass *pass, double from, double to, int *hit)
         ride_sample b = stack[top - 1];
         double middle = 0.5 * (a.at + b.at);
         int is_least = !(middle > a.at && middle < b.at) || top == STACK || ++looks > MOST_LOOKS || is_concentric(pass);
-        if (part_is_free(pass, &a, &b) || (is_least && !is_inside(pass, &b))) {
+        double least = part_least(pass, &a, &b);
+        if (least >= -1.0 - pass->grace || (is_least && !is_inside(pass, &b))) {
             double next = top > 1 ? stack[top - 2].at : to;
             pass_notes(pass, &b, a.at, next);
+            pass->floor = math_min(pass->floor, least);
             a = b;
             --top;
             continue;
@@ -195,7 +204,7 @@ static int least_moment(const ride_pass *pass, double from, double to, double *a
 static double pass_touch(const ride_pass *pass, double from, double to)
 {
     double at;
-    if (!(pass->least <= 1.0) || !least_moment(pass, from, to, &at)) return INFINITY;
+    if (!(pass->floor <= 1.0) || !least_moment(pass, from, to, &at)) return INFINITY;
     ride_sample least = sample_at(pass, at), end = sample_at(pass, to);
     double clearance = sample_clearance(pass, &least);
     return clearance >= -1.0 - TOUCH_SAME && clearance <= 1.0 && sample_clearance(pass, &end) > TOUCH_SAME - 1.0 ? at : INFINITY;
@@ -226,18 +235,66 @@ static void meeting_notes(ride_meeting *meeting, const ride_pass *pass, int is_a
     meeting->change.at = at;
 }
 
+/* The span that held right before a moment of travel. */
+static uint32_t span_before(const growth_shape *shape, double sign, uint32_t span, double time)
+{
+    uint32_t before = sign > 0.0 ? span - 1 : span + 1;
+    return span_begins(&shape->spans[span], sign) == time && before < shape->span_count ? before : span;
+}
+
+/* The angle at which a ride comes into the fan of a chunk, or begins in it. */
+static double fan_begins(const growth_chunk *chunk)
+{
+    const growth_moment *start = &chunk->ride->start;
+    if (start->in_fan && start->span == chunk->base.span) return start->theta;
+    return rider_theta(chunk->shape, chunk->sign, chunk->base.span, chunk->base.time);
+}
+
+/* Where the heading, which turns on the spot, comes out of the other: it does not at `from`. */
+static double fan_turns_out(const ride_pass *pass, double from, double to)
+{
+    for (int step = 0; step < 60; ++step) {
+        double middle = 0.5 * (from + to);
+        ride_sample sample = sample_at(pass, middle);
+        *(sample_slope(pass, &sample) < 0.0 ? &from : &to) = middle;
+    }
+    return to;
+}
+
+/*
+ * A fan is turned on the spot and meets nothing. But the clearance is least there, and may be a touch, where the rider came closer to the other and goes away from it. What
+ * the other's own rate is may change in the same moment.
+ */
+static void fan_meets(ride_meeting *meeting, const growth_chunk *chunk, const growth_shape *other)
+{
+    double time = chunk->base.time, first = fan_begins(chunk);
+    ride_pass after = {chunk, other, sight_span_at(other, chunk->sign, time), 0.0, INFINITY, 0.0, 0.0, INFINITY}, before = after;
+    before.span = span_before(other, chunk->sign, after.span, time);
+    ride_sample came = sample_at(&before, first), from = sample_at(&after, chunk->from), to = sample_at(&after, chunk->to);
+    if (fabs(sample_clearance(&after, &from)) > 1.0 + TOUCH_SAME || sample_slope(&before, &came) >= 0.0) return;
+    if (sample_slope(&after, &from) >= 0.0) {
+        if (chunk->from == first) meeting_notes(meeting, &before, 1, first);
+    } else if (sample_slope(&after, &to) >= 0.0) {
+        meeting_notes(meeting, &after, 0, fan_turns_out(&after, chunk->from, chunk->to));
+    }
+}
+
 ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
 {
     ride_meeting meeting = {chunk->to, 0, {0, SHAPE_NONE, 0, INFINITY}};
     growth_moment begin = chunk_moment(chunk, chunk->from);
-    if (other == chunk->shape || chunk->base.in_fan) return meeting; /* a fan is turned on the spot */
+    if (other == chunk->shape) return meeting;
+    if (chunk->base.in_fan) {
+        fan_meets(&meeting, chunk, other);
+        return meeting;
+    }
     if (is_far(chunk, other, rider_place(chunk->shape, chunk->sign, chunk->ride, &begin))) return meeting;
-    ride_pass pass = {chunk, other, sight_span_at(other, chunk->sign, chunk->from), 0.0, INFINITY, 0.0, 0.0};
+    ride_pass pass = {chunk, other, sight_span_at(other, chunk->sign, chunk->from), 0.0, INFINITY, 0.0, 0.0, INFINITY};
     double from = chunk->from;
     pass.grace = begin_grace(&pass);
     for (;;) {
         double end = span_ends(&other->spans[pass.span], chunk->sign), to = math_min(chunk->to, end);
-        pass.least = INFINITY;
+        pass.least = pass.floor = INFINITY;
         meeting.free_until = pass_span(&pass, from, to, &meeting.is_stopped);
         if (meeting.is_stopped) return meeting;
         meeting_notes(&meeting, &pass, 0, pass_touch(&pass, from, to));
@@ -270,10 +327,8 @@ double ride_free_until(growth_engine *engine, const growth_chunk *chunk, ride_ch
 {
     free_part part = {engine, *chunk, changes};
     changes->count = 0;
-    if (!chunk->base.in_fan) {
-        growth_moment begin = chunk_moment(chunk, chunk->from);
-        tdsp_point place = rider_place(chunk->shape, chunk->sign, chunk->ride, &begin);
-        reach_near(&engine->reach, place, chunk->to - chunk->from, chunk->from, chunk->to, visit_free, &part);
-    }
+    growth_moment begin = chunk_moment(chunk, chunk->from), end = chunk_moment(chunk, chunk->to);
+    tdsp_point place = rider_place(chunk->shape, chunk->sign, chunk->ride, &begin);
+    reach_near(&engine->reach, place, end.time - begin.time, begin.time, end.time, visit_free, &part);
     return part.chunk.to;
 }

@@ -20,7 +20,7 @@ typedef struct ride_change {
     uint32_t disc;
     uint32_t span;    /* of that disc */
     int is_at_corner; /* at the span's end, where the rate falls */
-    double at;        /* INFINITY: nowhere */
+    double at;        /* the chunk's parameter; INFINITY: nowhere */
 } ride_change;
 
 typedef struct ride_meeting {

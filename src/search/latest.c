@@ -87,23 +87,21 @@ static int latest_try_solved(latest_state *state, double departure, tdsp_status 
     return earlier > state->best && latest_try(state, earlier, status);
 }
 
-/* The latest departure of a reverse search, or a negative number. */
-static tdsp_status latest_reverse(latest_state *state, const engine_question *question, double *departure)
+tdsp_status solver_reverse(tdsp_solver *solver, const disc_set *set, const engine_question *question, double *departure)
 {
-    tdsp_solver *solver = state->solver;
     ++solver->work.reverse_searches;
     engine_question ask = *question;
     int lost = 0;
     tdsp_status status = TDSP_OK;
-    if (state->set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED) status = engine_scout(&solver->engine, &ask, &lost);
+    if (set == &solver->scene->all && solver->relaxation.stage == RELAX_SCOUTED) status = engine_scout(&solver->engine, &ask, &lost);
     if (lost && solver->engine.gave_up) return TDSP_NO_ANSWER;
-    if (status == TDSP_OK && !lost) status = engine_run(&solver->engine, state->set, &ask);
+    if (status == TDSP_OK && !lost) status = engine_run(&solver->engine, set, &ask);
     *departure = -1.0;
     if (status == TDSP_OK && solver->engine.arrived != ENGINE_NONE) *departure = math_max(-engine_arrival(&solver->engine), 0.0);
     return status;
 }
 
-/* A question backwards in time: to the source, at a true time that is neither negative nor after it is covered. */
+/* To the source at a true time that is neither negative nor after it is covered. */
 engine_question solver_reverse_question(const tdsp_solver *solver, double time, double limit)
 {
     const scene_ends *ends = &solver->ends;
@@ -117,7 +115,7 @@ static tdsp_status latest_from_destination(latest_state *state)
     const tdsp_scene *scene = state->solver->scene;
     engine_question question = solver_reverse_question(state->solver, state->arrival / scene->time, -math_max(state->best, 0.0) / scene->time);
     double departure;
-    tdsp_status status = latest_reverse(state, &question, &departure);
+    tdsp_status status = solver_reverse(state->solver, state->set, &question, &departure);
     if (status != TDSP_OK || departure < 0.0) return status;
     latest_try_solved(state, math_min(departure * scene->time, state->solver->ends.source_cover.time), &status);
     return status;
@@ -131,7 +129,7 @@ static tdsp_status latest_solve_gap(latest_state *state, gap_event *event)
     question.seeds = seeds;
     question.seed_count = 2;
     event->solved = 1;
-    return latest_reverse(state, &question, &event->departure);
+    return solver_reverse(state->solver, state->set, &question, &event->departure);
 }
 
 /* The event with the latest departure, or NULL when none beats the best. */

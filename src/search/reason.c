@@ -11,6 +11,9 @@
 /* The discs are looked at this share of the times at hand before the destination is covered, so that it is free for certain. */
 #define JUST_BEFORE 1e-9
 
+/* The proof that a departure is the last looks this share of the times at hand past it. */
+#define RIGHT_AFTER 2e-9
+
 /* Halving leaves no more of a length than rounding. */
 #define HALVINGS 60
 
@@ -138,6 +141,54 @@ static tdsp_status walled_in(tdsp_solver *solver, double departure, int *enclose
     return status;
 }
 
+/* A question backwards in time from the destination as it is covered. */
+typedef struct cover_question {
+    tdsp_solver *solver;
+    tdsp_solver_work before; /* the counters when it came in */
+    double departure;        /* of the answer, in the frame */
+} cover_question;
+
+static tdsp_status ask_from_cover(void *ctx, const disc_set *set)
+{
+    cover_question *self = ctx;
+    tdsp_solver *solver = self->solver;
+    const engine_question question = solver_reverse_question(solver, solver->ends.destination_cover.time / solver->scene->time, 0.0);
+    solver->work = self->before;
+    return solver_reverse(solver, set, &question, &self->departure);
+}
+
+/* The latest departure whose path arrives in the moment of the destination's cover; negative where there is none, or that moment is not known. */
+static tdsp_status latest_to_cover(tdsp_solver *solver, double *departure)
+{
+    const double covered = solver->ends.destination_cover.time;
+    *departure = -1.0;
+    if (!(covered > 0.0) || isinf(covered / solver->scene->time) || solver_is_far(solver, covered)) return TDSP_OK;
+    if (solver->growth) {
+        if (covered > tdsp_scene_valid_until(solver->scene, NULL)) return TDSP_OK;
+        ++solver->work.reverse_searches;
+        return growth_departure(solver->growth, &solver->ends, covered, departure);
+    }
+    cover_question question = {solver, solver->work, -1.0};
+    tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_from_cover, &question);
+    if (question.departure >= 0.0) *departure = question.departure * solver->scene->time;
+    return status;
+}
+
+/* Did the destination's cover end the departures: is there a path that arrives in that moment, and none right after it? For this later departure there is none. */
+static tdsp_status ended_by_cover(tdsp_solver *solver, double departure, int *ended)
+{
+    double last, arrival;
+    *ended = 0;
+    tdsp_status status = latest_to_cover(solver, &last);
+    if (status != TDSP_OK || last < 0.0) return status;
+    const double after = last + RIGHT_AFTER * (solver->ends.time + solver->ends.destination_cover.time - last);
+    *ended = after >= departure;
+    if (*ended) return TDSP_OK;
+    status = solver_arrival(solver, after, &arrival);
+    *ended = status != TDSP_OK && tdsp_status_is_answer(status);
+    return tdsp_status_is_answer(status) || status == TDSP_SHRINKS ? TDSP_OK : status;
+}
+
 tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reason)
 {
     int open, enclosed;
@@ -149,6 +200,7 @@ tdsp_status reason_find(tdsp_solver *solver, double departure, tdsp_status *reas
     }
     status = stopped_by_cover(solver, departure, &open); /* mostly the cheaper of the two */
     if (status == TDSP_OK && !open) status = open_at_last_moment(solver, &open);
+    if (status == TDSP_OK && !open) status = ended_by_cover(solver, departure, &open);
     if (status == TDSP_OK) *reason = open ? TDSP_DESTINATION_COVERED : TDSP_CUT_OFF;
     return status;
 }

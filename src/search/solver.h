@@ -56,6 +56,9 @@ tdsp_status solver_departure_at(tdsp_solver *solver, double arrival, double cand
 /* The engine's question backwards in time from the destination, at a time of the frame: to the source, as far as it is free. */
 engine_question solver_reverse_question(const tdsp_solver *solver, double time, double limit);
 
+/* Such a question among the discs of a set: the latest departure, as a time of the frame, or a negative number. */
+tdsp_status solver_reverse(tdsp_solver *solver, const disc_set *set, const engine_question *question, double *departure);
+
 /* Why there is no way right after the last departure, which the caller knows. */
 tdsp_status solver_last_reason(tdsp_solver *solver, double last, tdsp_status *reason);
 

@@ -188,6 +188,14 @@ void soak_check_too_early(soak_case *c)
         soak_fail(c, INFINITY, "latest departure for %.17g, too early: status %s", early, tdsp_status_name(status));
 }
 
+/* Where the last robot arrives as the destination is covered, that is the reason, unless the source is covered in the same moment. */
+static void cover_is_the_reason(soak_case *c, const tdsp_last_departure *last)
+{
+    const double most = tdsp_scene_destination_free_until(c->world.scene, NULL);
+    if (last->reason == TDSP_CUT_OFF && last->arrival == most)
+        soak_fail(c, INFINITY, "the last departure %.17g arrives as the destination is covered, and the reason is cut_off", last->departure);
+}
+
 void soak_check_last(soak_case *c)
 {
     tdsp_last_departure last;
@@ -210,6 +218,7 @@ void soak_check_last(soak_case *c)
             soak_fail(c, INFINITY, "nothing ends the departures, and a late one has no way");
         return;
     }
+    cover_is_the_reason(c, &last);
     soak_agrees(c, &c->world, last.departure, last.arrival, "the arrival of the last departure");
     soak_not_after(c, &c->world, past(c, last.departure), INFINITY, "later than the last departure");
     const tdsp_status after = tdsp_earliest_arrival(c->world.solver, past(c, last.departure), &arrival);

@@ -5,9 +5,13 @@
 FAULTY := $(patsubst tests/%.c,$(BUILD)/tests/faults/%,$(filter tests/unit/% tests/property/%,$(TEST_SOURCES)))
 MEMORY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
 $(BUILD)/obj/tests/faults/%.o: POSIX += -D_DEFAULT_SOURCE
-$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
+$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/blocks.c tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
+PLANTED := $(BUILD)/tests/faults/planted
+$(PLANTED): $(call objects,tests/faults/planted.c tests/faults/blocks.c tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(STATIC)
+	@mkdir -p $(@D)
+	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) -lcmocka -lm -o $@
 FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
 
 # The command with the system's answers changed.
@@ -17,24 +21,27 @@ $(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c tests/faults/memo
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
 
-# A small quarantine: a victim's fork copies what the allocator holds back.
-CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=8 $(PYTHON) tests/faults/campaign.py
+# Small: a victim's fork copies what the sanitizer holds back of freed blocks, of dead frames and of how blocks came to be.
+CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=1:thread_local_quarantine_size_kb=64:max_uar_stack_size_log=16:malloc_context_size=8 \
+	$(PYTHON) tests/faults/campaign.py
 
 FAULTS_OF ?= unit property
 .PHONY: faulty-programs run-faults faults
 faulty-programs: $(FAULTY) $(SHIMMED)
-faults: ## fail every allocation of all tests (FAULTS_ALL of each, default 3000, then ever fewer) and every file operation of the command
+faults: ## fail every allocation of all tests, going on where the last run stopped (FAULTS_SECONDS=3600: for so long), and every file operation of the command
 	@tools/setup/packages.sh check
 	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all
 	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
-	$(CAMPAIGN) --jobs $(JOBS) --report $(BUILD)/faults/allocations.txt $(foreach kind,$(FAULTS_OF),$(filter $(BUILD)/sanitize/tests/faults/$(kind)/%,$(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)))
+	$(CAMPAIGN) --jobs $(JOBS) --keep $(BUILD)/faults/allocations $(FAULTS_SECONDS:%=--seconds %) --report $(BUILD)/faults/allocations.txt $(foreach kind,$(FAULTS_OF),$(filter $(BUILD)/sanitize/tests/faults/$(kind)/%,$(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)))
 
 # In `make check`: the first of each way to an allocation, told by three calls, among the first 100 of each unit test. Left out are tests without
 # allocations, and those that only read tables.
 SHORT_LEFT_OUT := angle bernstein bytes contact contact_wide geodesic georeference instant law margin_touch path path_json path_points polynomial polynomial_edges skyline spiral status tangent tangent_ends curve_table guide query query_paths table table_edges table_versions
 FAULTS_SHORT := FAULTS_ALL=0 FAULTS_EACH_PATH=1 FAULTS_DEPTH=3 FAULTS_STOP=100 FAULTS_ONCE_ONLY=1
 FAULTY_SHORT := $(filter-out $(SHORT_LEFT_OUT:%=$(BUILD)/tests/faults/unit/test_%),$(FAULTY_UNIT))
-run-faults: $(CHECK)/faults/allocations.result
+run-faults: $(CHECK)/faults/planted.result $(CHECK)/faults/allocations.result
+$(CHECK)/faults/planted.result: $(PLANTED) FORCE
+	$(RUN) $(PYTHON) tests/faults/check_planted.py $(PLANTED)
 $(CHECK)/faults/allocations.result: $(FAULTY_SHORT) FORCE
 	$(RUN) env $(FAULTS_SHORT) $(CAMPAIGN) $(FAULTY_SHORT)
 

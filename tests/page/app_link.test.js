@@ -30,6 +30,19 @@ test("the whole state comes back: edits, departure, deadline, epsilon, curve and
   assert.deepEqual(back.original.scene, scene);
 });
 
+test("what is looked at, and when, comes back too", async () => {
+  const link = await writeLink(inGallery(), { view: { x: 1 / 3, y: -2, width: 1234.5678 }, time: 17.25 });
+  const { view, time } = await readLink(link, gallery);
+  assert.deepEqual([view, time], [{ x: 0.333333333, y: -2, width: 1234.5678 }, 17.25]);
+  const plain = await readLink(await writeLink(inGallery(), { view: null, time: null }), gallery);
+  assert.deepEqual([plain.view, plain.time], [null, null]);
+});
+
+test("a link cannot select a disc that is not there", async () => {
+  assert.equal((await followed("scene=two-discs&selected=disc99")).selected, null);
+  assert.deepEqual((await followed("scene=two-discs&selected=disc1")).selected, { what: "disc", index: 1 });
+});
+
 test("a scene of one's own is in the link, edits beside it", async () => {
   const own = reduce(START, { type: "open", name: "Größer & größer", scene });
   const back = await followed(await writeLink(after(own, { type: "remove-disc", index: 0 })));
@@ -82,6 +95,10 @@ test("a broken link is answered with a sentence", async () => {
     "scene=two-discs&leave=soon": /"soon" is no time to leave/,
     "scene=two-discs&leave=-1": /is no time to leave/,
     "scene=two-discs&deadline=": /is no time to arrive by/,
+    "scene=two-discs&time=never": /"never" is no time to look at/,
+    "scene=two-discs&view=1,2": /"1,2" is no place to look at/,
+    "scene=two-discs&view=1,2,-3": /is no place to look at/,
+    "scene=two-discs&view=1,2,3,4": /is no place to look at/,
     "scene=two-discs&epsilon=7": /its epsilon is not from/,
     "scene=two-discs&edit=zAAAA": /damaged/,
     "scene=two-discs&edit=q": /another version/,

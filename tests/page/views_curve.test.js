@@ -2,9 +2,9 @@
 /** The curve's picture: pieces between jumps, the last departure that makes a deadline, windows, labels, the file. */
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { curveOf, curveWindow, lastShown, latestDeparture, sampleTimes, stairsOf, travelAt } from "../../tools/page/js/curve_data.js";
+import { curveOf, curveWindow, lastShown, latestDeparture, sampleTimes, stairsOf, travelAt, withBends } from "../../tools/page/js/curve_data.js";
 import { arrangeCurve, deadlineLine, jumpText, layoutCurve, legendOf, reasonWords } from "../../tools/page/js/curve_layout.js";
-import { momentText } from "../../tools/page/js/curve_picture.js";
+import { drawCurveLive, hoverText, momentText } from "../../tools/page/js/curve_picture.js";
 import { blankCurve, curveSvg } from "../../tools/page/js/curve_svg.js";
 import { guessedWidth } from "../../tools/page/js/draw_text.js";
 import { light } from "../../tools/page/js/palette.js";
@@ -132,9 +132,75 @@ test("labels of the curve are inside the window and apart", () => {
 });
 
 test("a departure is said with what it takes, or when it arrives, or that there is no way", () => {
-    assert.equal(momentText(stateOf(), 1000, 5065.22), "leave at 1000 s: takes 5065.22 s");
-    assert.equal(momentText(stateOf({ mode: "arrival" }), 1000, 5065.22), "leave at 1000 s, arrive at 6065.22 s");
-    assert.equal(momentText(stateOf(), 6000, NaN), "leave at 6000 s: no way");
+    const travel = (departure) => (departure > 5000 ? NaN : 5065.22);
+    assert.equal(momentText(stateOf({ travel }), 1000), "leave at 1000 s: takes 5065.22 s");
+    assert.equal(momentText(stateOf({ travel, mode: "arrival" }), 1000), "leave at 1000 s, arrive at 6065.22 s");
+    assert.equal(momentText(stateOf({ travel }), 6000), "leave at 6000 s: no way");
+});
+
+test("who points at a jump is told what it does, also where its label has no room", () => {
+    assert.equal(hoverText(stateOf(), jumps[0].departure), "52.5001 s: discs 2 and 3 close, 4497.68 s becomes 4947.75 s");
+    assert.match(hoverText(stateOf({ mode: "arrival" }), jumps[0].departure), /close, 4550\.18 s becomes 5000\.25 s$/);
+    assert.match(hoverText(stateOf(), 1000), /^leave at 1000 s: takes /);
+});
+
+/** Boxes of all that is written in a picture of the curve, with a pen that draws nothing. */
+function written(state, width, height) {
+    const arrangement = arrangeCurve(state, width, height, guessedWidth), layout = layoutCurve(state, arrangement, guessedWidth), texts = [];
+    const pen = new Proxy({}, { get: (_, name) => (name === "width" ? guessedWidth : (x, y, text, style) => { if (name === "text" && style.halo) texts.push({ x, y, text, style }); }) });
+    drawCurveLive(pen, state, arrangement, layout);
+    return { texts, arrangement, layout };
+}
+
+test("labels of jumps hide neither the curve nor the edge of the band, however many there are", () => {
+    for (const [width, height] of [[900, 500], [560, 300], [340, 260]]) {
+        const { layout } = written(stateOf({ departure: 1000, deadline: 8000, leaveBy: 2229 }), width, height);
+        const ofJumps = layout.placed.filter(({ style }) => style.colour === light.alarmText);
+        assert.ok(ofJumps.length > 0);
+        for (const label of ofJumps) assert.equal(layout.labels.hidden(label), 0, label.text);
+    }
+});
+
+test("the departure's label is not struck through by the curve while there is room beside it", () => {
+    const level = curveOf({ times: [0, 50, 100], arrivals: [20, 70, 150] }, [], null);
+    const state = stateOf({ curve: level, rows: null, jumps: [], last: null, departure: 40, travel: () => 20 });
+    const { texts, layout } = written(state, 900, 500);
+    const [label] = texts, half = guessedWidth(label.text, label.style) / 2;
+    assert.equal(layout.labels.hidden({ left: label.x - half, right: label.x + half, top: label.y - 6, bottom: label.y + 6 }), 0);
+});
+
+test("the words of the last departure stand right of its line, where there is no curve", () => {
+    for (const width of [900, 340]) {
+        const { layout, arrangement } = written(stateOf(), width, 260), { frame } = arrangement;
+        assert.match(layout.last.text, /^last departure/);
+        assert.ok(frame.left + frame.width - layout.last.x >= 19.9);
+    }
+});
+
+test("a jump that only the very last departures are after leaves the window, and does not press the others flat", () => {
+    const many = read("tools/page/gallery/nsquared.json"), bent = core.scene(many), end = bent.last(), [jump] = bent.jumps({}).slice(-1);
+    const at = sampleTimes(end.departure, 129), drawn = curveOf({ times: at, arrivals: bent.samples(at) }, [jump], end);
+    const window = curveWindow(drawn, end, "travel", null);
+    assert.ok(jump.travelAfter > window.yHigh && jump.travelBefore < window.yHigh);
+    assert.ok(window.yHigh - window.yLow < 0.05 * (jump.travelAfter - drawn.travel[0]));
+    const state = { ...stateOf({ curve: drawn, jumps: [jump], last: end, rows: null, units: { time: "" } }), window };
+    assert.ok(written(state, 900, 500).texts.some(({ text }) => text === "356038: discs 4 and 9 close, to 550.748"));
+    assert.ok(curveWindow(drawn, end, "arrival", null).yHigh > end.arrival, "arrivals are not pressed by it");
+});
+
+test("a jump in the midst of the departures stays in the window, however large it is", () => {
+    const high = curveOf({ times: [0, 100], arrivals: [1, 220] }, [{ departure: 50, travelBefore: 1.5, travelAfter: 100 }], { departure: 100, arrival: 220 });
+    assert.ok(curveWindow(high, { departure: 100, arrival: 220 }, "travel", null).yHigh > 120);
+});
+
+test("bends are points of the curve, and named in the legend", () => {
+    const bends = [{ departure: 33, travel: 21 }, { departure: 50, travel: 22 }];
+    const bent = withBends({ times: [0, 50, 100], arrivals: [20, 72, 130] }, bends);
+    assert.deepEqual([[...bent.times], [...bent.arrivals]], [[0, 33, 50, 100], [20, 54, 72, 130]]);
+    const svg = curveSvg(stateOf({ bends }), { width: 900, height: 500 });
+    assert.match(svg, /<g class="bends">/);
+    assert.match(svg, />bends \(2\)</);
+    assert.equal(withBends(null, bends), null);
 });
 
 test("every reason of a scene that ends departures has words", () => {

@@ -154,6 +154,24 @@ test("labels hide neither one another nor marks, nor lines while there is room b
     }
 });
 
+test("a label beside an upright line hides nothing, or is not there", () => {
+    const labels = new Labels({ left: 0, top: 0, right: 400, bottom: 300 }, guessedWidth), style = { size: 12, colour: "#000000" };
+    labels.addLine(200, 100, 200, 200);
+    for (let i = 0; i < 40; i++) labels.placeBeside(200, 100, 200, 9, `label ${i}`, style);
+    assert.ok(labels.placed.length > 10 && labels.placed.length < 40, String(labels.placed.length));
+    for (const one of labels.placed) assert.equal(labels.hidden(one), 0);
+    assert.equal(labels.placed[0].left, 209);
+    assert.equal((labels.placed[0].top + labels.placed[0].bottom) / 2, 150);
+});
+
+test("what comes and goes may take the place of a label that always stands there", () => {
+    const labels = new Labels({ left: 0, top: 0, right: 120, bottom: 20 }, guessedWidth), style = { size: 12, colour: "#000000" };
+    assert.ok(labels.place(20, 10, 4, 0, "always", style));
+    assert.equal(labels.place(20, 10, 4, 0, "now and then", style), null);
+    assert.ok(labels.copy().place(20, 10, 4, 0, "now and then", style));
+    assert.equal(labels.placed.length, 1);
+});
+
 test("a label without room is left out", () => {
     const labels = new Labels({ left: 0, top: 0, right: 20, bottom: 20 }, guessedWidth);
     assert.equal(labels.place(10, 10, 5, 0, "too long for this", { size: 13, colour: "#000000" }), null);

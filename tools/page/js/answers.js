@@ -7,6 +7,8 @@ import { Sampler } from "tdsp/sampler.js";
 const QUIET = 140; // milliseconds without a change before a worker is asked
 const FRAME_BUDGET = 4; // milliseconds of a frame for samples
 const QUICK_LAST = 6; // milliseconds: a question for the last departure that takes longer goes to the worker
+const BENDS_UP_TO = 24; // discs: of more, to find all bends takes minutes
+const SAME = 1e-9; // of a departure: two searches for one jump are nearer
 const HORIZON_TRIPS = 4; // where no disc ends the departures, the curve ends after about so many travel times
 
 /** A round number of about this size, not below it. @param {number} value */
@@ -25,6 +27,7 @@ export function roundUp(value) {
  * @property {number|null} horizon where the curve ends though departures do not; null where they do
  * @property {{times: Float64Array, arrivals: Float64Array}|null} samples
  * @property {any[]|null} jumps
+ * @property {{departure: number, travel: number}[]} bends where the curve bends without a jump, as far as they are known
  * @property {{bytes: Uint8Array, report: any, seconds: number, epsilon: number, table: any}|null} built
  * @property {boolean} stale the curve is of the scene before
  * @property {boolean} tableStale and so is the table
@@ -33,7 +36,7 @@ export function roundUp(value) {
  */
 
 /** @returns {Found} */
-const nothing = () => ({ path: null, latest: null, latestPath: null, last: null, horizon: null, samples: null, jumps: null, built: null, stale: false, tableStale: false, working: false, problems: { jumps: null, table: null } });
+const nothing = () => ({ path: null, latest: null, latestPath: null, last: null, horizon: null, samples: null, jumps: null, bends: [], built: null, stale: false, tableStale: false, working: false, problems: { jumps: null, table: null } });
 
 export class Answers {
   found = nothing();
@@ -188,7 +191,7 @@ export class Answers {
     const sampler = this.#sampler;
     if (!sampler) return;
     sampler.run(FRAME_BUDGET);
-    if (sampler.drawable) this.found = { ...this.found, samples: sampler.samples, ...(this.found.stale ? { stale: false, jumps: null } : {}) };
+    if (sampler.drawable) this.found = { ...this.found, samples: sampler.samples, ...(this.found.stale ? { stale: false, jumps: null, bends: [] } : {}) };
     if (sampler.finished) return;
     this.#sampling = requestAnimationFrame(() => {
       this.#sample();
@@ -214,11 +217,22 @@ export class Answers {
       if (shape) work.push(this.#shape(scene, jobs.shape.signal));
       await Promise.all(work);
     } catch (error) {
-      if (error.status === "cancelled") return;
-      throw error;
+      unlessCancelled(error);
+      return;
     }
     if (this.scene !== scene || jobs !== this.#jobs) return;
     this.found = { ...this.found, working: false, stale: false };
+    this.changed();
+    if (shape) await this.#bend(scene, jobs.shape.signal);
+  }
+
+  /** What nobody has to wait for: where the way rides other discs than a moment before. */
+  async #bend(scene, signal) {
+    if (this.found.last.departure < 0 || scene.count > BENDS_UP_TO) return;
+    const { curve } = await settled(this.remote.curve(scene.description, { signal, until: this.until }), "curve").catch(unlessCancelled);
+    if (signal.aborted || !curve) return;
+    const bends = curve.pieces.filter(({ change }) => change === "touch" || change === "switch").map(({ until, travelUntil }) => ({ departure: until, travel: travelUntil }));
+    this.found = { ...this.found, bends, jumps: withSmallJumps(this.found.jumps ?? [], curve.pieces) };
     this.changed();
   }
 
@@ -247,6 +261,22 @@ export class Answers {
     this.found = { ...this.found, jumps, tableStale: false, built: built ? { ...built, seconds, epsilon, table } : null, problems: { ...this.found.problems, table: problem } };
     this.changed();
   }
+}
+
+/** All jumps of the curve: those that are known, and those between its pieces that are too small to be looked for. @param {any[]} jumps @param {any[]} pieces */
+function withSmallJumps(jumps, pieces) {
+  const known = (departure) => jumps.some((jump) => Math.abs(jump.departure - departure) <= SAME * departure);
+  const small = pieces.slice(0, -1).flatMap(({ change, until: departure, travelUntil: travelBefore, gap }, i) => {
+    const travelAfter = pieces[i + 1].travelFrom;
+    return change === "jump" && !known(departure) ? [{ departure, travelBefore, travelAfter, size: travelAfter - travelBefore, gap }] : [];
+  });
+  return [...jumps, ...small].sort((one, other) => one.departure - other.departure);
+}
+
+/** Being called off is no failure. @returns {any} nothing */
+function unlessCancelled(error) {
+  if (error.status !== "cancelled") throw error;
+  return {};
 }
 
 /** The result under its name, or the sentence that says why there is none. Being called off is neither. */

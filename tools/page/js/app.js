@@ -67,7 +67,7 @@ async function openLink(page, strip, show) {
     const action = await readLink(location.hash.slice(1), (name) => strip.find(name)?.scene);
     if (!action) return false;
     const entry = action.from ? strip.find(action.from) : null;
-    if (entry) action.view = entry.view;
+    if (entry) action.view ??= entry.view;
     const words = entry ? [entry.title, entry.words.join(" "), entry.credit] : action.bytes ? [action.name, ONLY_TABLE] : [action.scene.name ?? action.name];
     openWith(page, action, (error) => `The link is damaged: ${error.message}.`, words);
     show.stop();
@@ -132,7 +132,7 @@ function bindFiles(page, strip, show) {
 }
 
 async function share(page) {
-  const fragment = await writeLink(page.store.state);
+  const fragment = await writeLink(page.store.state, page.looked);
   if (fragment.length > LONGEST) {
     page.problem("This is too much for a link: save the file and send it.");
     return;

@@ -175,7 +175,8 @@ export class Controls {
 /** A number as people type it: no digits that only a computer reads. */
 const tidy = (value) => Number(value.toPrecision(7));
 
-const middle = (input) => (Number(input.min) + Number(input.max)) / 2;
+/** About the middle of a range, in few digits. */
+const middle = (input) => Number(((Number(input.min) + Number(input.max)) / 2).toPrecision(3));
 
 function ranged(input, least, most, value) {
   if (input.min !== String(least)) input.min = String(least);

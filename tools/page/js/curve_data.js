@@ -8,6 +8,7 @@
 /** @typedef {{first: number, second: number, time: number, place: [number, number]}} Gap */
 /** @typedef {{departure: number, travelBefore: number, travelAfter: number, size?: number, gap?: Gap|null}} Jump */
 /** @typedef {{times: ArrayLike<number>, arrivals: ArrayLike<number>}} Samples arrivals: NaN where there is none */
+/** @typedef {{departure: number, travel: number}} Bend from here on the way rides other discs, and takes no longer for that */
 /** @typedef {{departure: number, arrival?: number|null, reason?: string}} Last the core's last(), or as much of it as is known */
 /** @typedef {{departures: ArrayLike<number>, left: ArrayLike<number>, right: ArrayLike<number>}} Rows as the core's Table.rows() gives them */
 
@@ -19,6 +20,11 @@
  * @property {Uint8Array} starts 1 where a piece begins
  * @property {number} count
  */
+
+const ABOVE = 0.1; // of the range of values, over the highest
+const ABOVE_CUT = 0.25; // the same where a jump leaves the window, which has to be said there
+const FLAT = 1e-3; // of the window's height: so little is level anyway
+const PRESSED = 0.2; // of the window's height: most departures have to share less than this
 
 /** @param {Jump[]} jumps */
 function inOrder(jumps) {
@@ -49,6 +55,15 @@ export function curveOf(samples, jumps, last) {
     for (; next < sorted.length; next++) addJump(add, curve, sorted[next]);
     addLast(add, curve, last);
     return curve;
+}
+
+/** Samples with those at the bends among them, where chords would cut the corner. @param {Samples|null} samples @param {Bend[]} bends @returns {Samples|null} */
+export function withBends(samples, bends) {
+    if (!samples || bends.length === 0) return samples;
+    const arrivals = new Map(bends.map(({ departure, travel }) => [departure, departure + travel]));
+    for (let i = 0; i < samples.times.length; i++) arrivals.set(samples.times[i], samples.arrivals[i]);
+    const times = Float64Array.from(arrivals.keys()).sort();
+    return { times, arrivals: times.map((departure) => arrivals.get(departure)) };
 }
 
 /** @param {Curve} curve @param {Jump} jump */
@@ -141,6 +156,21 @@ export function lastShown(curve, last) {
 }
 
 /**
+ * The highest value of the window. What only the very last departures reach, by a jump, is above it, where it would press all others flat.
+ * @param {Curve} curve
+ * @param {"travel"|"arrival"} mode
+ * @param {number} late departures after this are the very last ones
+ */
+function cutHigh(curve, mode, late, low, high) {
+    for (let i = 1; i < curve.count; i++) {
+        if (!curve.starts[i] || curve.departure[i] < late) continue;
+        const share = (valueOf(mode, curve.departure[i - 1], curve.travel[i - 1]) - low) / (high - low);
+        if (share > FLAT && share < PRESSED) return low + share * (high - low);
+    }
+    return high;
+}
+
+/**
  * The window of the picture, by the rules of `tdsp plot`: all departures and some room, travel times with a tenth of their range around.
  * @param {Curve} curve
  * @param {Last|null} last
@@ -162,10 +192,12 @@ export function curveWindow(curve, last, mode, rows) {
         high = Math.max(high, value);
     }
     if (!(high >= low)) [low, high] = [0, 1];
+    const most = cutHigh(curve, mode, 0.98 * until, low, high), above = most < high ? ABOVE_CUT : ABOVE;
+    high = most;
     const range = high - low, xLow = -0.01 * until, xHigh = 1.04 * until;
     // A level curve is in the middle.
     if (!(range > 1e-9 * Math.abs(high))) return { xLow, xHigh, yLow: high > 0 ? 0.9 * low : low - 1, yHigh: high > 0 ? 1.1 * high : high + 1 };
-    return { xLow, xHigh, yLow: low > 0 ? Math.max(low - 0.08 * range, 0) : -0.08 * range, yHigh: low + 1.1 * range };
+    return { xLow, xHigh, yLow: low > 0 ? Math.max(low - 0.08 * range, 0) : -0.08 * range, yHigh: high + above * range };
 }
 
 /**

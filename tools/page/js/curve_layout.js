@@ -15,8 +15,12 @@ import { placeLegend } from "tdsp/draw_legend.js";
 /** @typedef {import("tdsp/draw_canvas.js").Pen} Pen */
 
 const WIDE = 560;
-const LABELLED = 0.02; // of the window's height: smaller jumps get no label
+/** Of the window's height: smaller jumps get no ends ... */
+export const MARKED = 0.012;
+const LABELLED = 0.02; // ... and no label
 const MOST_LABELS = 12;
+const MOST_STEPS = 2000; // of a table; in more there is no room between them
+const LAST_ROOM = 20; // pixels right of the last departure
 
 /** @type {Record<string, string>} */
 const REASONS = {
@@ -35,6 +39,7 @@ export function legendOf(state) {
     const items = [];
     if (state.curve.count > 0) items.push({ kind: "curve", wide: 24, text: curveName(state) });
     if (state.rows) items.push({ kind: "band", wide: 24, text: "certified by the table" });
+    if (state.bends.length > 0) items.push({ kind: "bend", wide: 8, text: `bend${state.bends.length === 1 ? "" : "s"} (${state.bends.length})` });
     if (state.jumps.length > 0) items.push({ kind: "jump", wide: 10, text: `jump${state.jumps.length === 1 ? "" : "s"} (${state.jumps.length})` });
     return items;
 }
@@ -43,6 +48,13 @@ export function legendOf(state) {
 function axesOf(state) {
     const unit = state.units.time;
     return { x: { name: "departure", unit, divisor: 1 }, y: { name: state.mode === "arrival" ? "arrival" : "travel time", unit, divisor: 1 } };
+}
+
+/** The frame, as wide that words have room along the line of the last departure, where no curve comes by. @param {CurveState} state @param {import("tdsp/axes.js").Frame} frame */
+function withRoom({ curve, last }, frame) {
+    if (!last || !Number.isFinite(last.departure) || curve.count === 0) return frame;
+    const reach = frame.xLow + ((last.departure - frame.xLow) * frame.width) / Math.max(1, frame.width - LAST_ROOM);
+    return { ...frame, xHigh: Math.max(frame.xHigh, reach) };
 }
 
 /**
@@ -59,7 +71,7 @@ export function arrangeCurve(state, width, height, measure) {
     const left = titled ? room.left : room.left - 20;
     const legend = state.legend ? placeLegend(legendOf(state), width - left - right, measure) : { items: [], height: 0 };
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
-    const frame = { ...state.window, left, top, width: Math.max(20, width - left - right), height: Math.max(20, height - top - below - 4) };
+    const frame = withRoom(state, { ...state.window, left, top, width: Math.max(20, width - left - right), height: Math.max(20, height - top - below - 4) });
     // A window of nothing has no numbers.
     const ticks = state.curve.count > 0 ? frameTicks(frame, axes.x, axes.y, measure) : { x: [], y: [], widest: 0 };
     return { frame, axes, titled, ticks, legend: legend.items, legendTop: height - legend.height - 4 };
@@ -79,7 +91,7 @@ function curveName({ mode, stored, sampled }) {
     return mode === "arrival" ? `earliest arrival, ${known}` : `travel time, ${known}`;
 }
 
-/** The curve as what labels had better not hide. @param {CurveState} state @param {Labels} labels */
+/** The curve, and the upper edge of what the table certifies, as what labels had better not hide. @param {CurveState} state @param {Labels} labels */
 function addCurve(state, frame, labels) {
     const { curve } = state;
     let from = null;
@@ -88,9 +100,9 @@ function addCurve(state, frame, labels) {
         if (from) labels.addLine(from.x, from.y, to.x, to.y);
         from = to;
     }
-    for (let i = 0; state.rows && i < Math.min(state.rows.departures.length, 2000); i++) {
-        const at = placeOf(state, frame, state.rows.departures[i], state.rows.left[i]);
-        labels.addObstacle(at.x, at.y);
+    for (let i = 1; state.rows && i < Math.min(state.rows.departures.length, MOST_STEPS); i++) {
+        const { departures, left } = state.rows, begin = placeOf(state, frame, departures[i - 1], left[i]), end = placeOf(state, frame, departures[i], left[i]);
+        labels.addLine(begin.x, begin.y, end.x, end.y);
     }
 }
 
@@ -104,16 +116,14 @@ export function jumpText(jump, unit) {
 function placeJumps(state, frame, labels) {
     const style = { size: TEXT - 1, colour: state.palette.alarmText, halo: state.palette.paper };
     const ends = (jump) => [placeOf(state, frame, jump.departure, jump.travelBefore), placeOf(state, frame, jump.departure, jump.travelAfter)];
-    const large = state.jumps.filter((jump) => {
-        const [low, high] = ends(jump);
-        return low.y - high.y >= LABELLED * frame.height;
-    });
-    large.sort((one, other) => other.travelAfter - other.travelBefore - (one.travelAfter - one.travelBefore));
-    for (const jump of large.slice(0, 200)) for (const end of ends(jump)) labels.addMark(end.x, end.y, 5);
+    const longer = (share) => (jump) => ends(jump)[0].y - ends(jump)[1].y >= share * frame.height;
+    for (const jump of state.jumps.filter(longer(MARKED)).slice(0, 200)) for (const end of ends(jump)) labels.addMark(end.x, end.y, 5);
+    const large = state.jumps.filter(longer(LABELLED)).sort((one, other) => other.travelAfter - other.travelBefore - (one.travelAfter - one.travelBefore));
     for (const jump of large.slice(0, MOST_LABELS)) {
-        const [low, high] = ends(jump);
-        labels.place(low.x, (low.y + high.y) / 2, 9, 0, jumpText(jump, state.units.time), style) ??
-            labels.place(low.x, (low.y + high.y) / 2, 9, 0, withUnit(jump.departure, state.units.time, 6), style);
+        const [low, high] = ends(jump), top = Math.max(high.y, frame.top), unit = state.units.time;
+        const reached = high.y < frame.top ? `, to ${withUnit(valueOf(state.mode, jump.departure, jump.travelAfter), unit, 6)}` : "";
+        const texts = [jumpText(jump, unit), withUnit(jump.departure, unit, 6)];
+        texts.some((text) => labels.placeBeside(low.x, top, low.y, 9, text + reached, style));
     }
 }
 
@@ -121,25 +131,18 @@ function placeJumps(state, frame, labels) {
 function lastTexts({ last, units }) {
     if (last.reason === "horizon") return ["horizon"];
     const why = reasonWords(last.reason), moment = withUnit(last.departure, units.time, 6);
-    return [...(why ? [`last departure ${moment}: then ${why}`, `then ${why}`] : []), `last departure ${moment}`, "last departure"];
+    return [...(why ? [`last departure ${moment}: then ${why}`] : []), `last departure ${moment}`, "last departure"];
 }
 
-/** The line of the last departure, and the longest words that find a place along it which hides no curve. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */
+/** The line of the last departure, and the longest words that fit along it, right of it, where there is no curve. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */
 function placeLast(state, frame, labels, measure) {
     const { last, curve } = state;
     if (!last || !Number.isFinite(last.departure) || curve.count === 0) return null;
-    const x = frameX(frame, last.departure), low = frame.top + frame.height - 10, high = frame.top + 10;
-    for (const text of lastTexts(state)) {
-        const long = measure(text, { size: TEXT, colour: "" }) + 4;
-        for (const bottom of [low, (low + high + long) / 2, high + long]) {
-            const box = { left: x - 21, right: x - 2, top: bottom - long, bottom };
-            if (!labels.isFree(box) || labels.hidden(box) > 0) continue;
-            labels.addBox(box);
-            labels.addLine(x, frame.top, x, frame.top + frame.height);
-            return { x, text, y: bottom, box };
-        }
-    }
-    return { x, text: "", y: low, box: null };
+    const x = frameX(frame, last.departure), y = frame.top + frame.height - 10;
+    const text = lastTexts(state).find((words) => measure(words, { size: TEXT, colour: "" }) < frame.height - 20) ?? "";
+    labels.addBox({ left: x + 2, right: x + LAST_ROOM, top: frame.top, bottom: frame.top + frame.height });
+    labels.addLine(x, frame.top, x, frame.top + frame.height);
+    return { x, text, y };
 }
 
 /**

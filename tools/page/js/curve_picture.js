@@ -5,7 +5,7 @@
  */
 import { drawAxes, drawGrid, frameX, frameY } from "tdsp/axes.js";
 import { valueOf } from "tdsp/curve_data.js";
-import { placeOf } from "tdsp/curve_layout.js";
+import { MARKED, jumpText, placeOf } from "tdsp/curve_layout.js";
 import { areApart } from "tdsp/draw_labels.js";
 import { drawLegend } from "tdsp/draw_legend.js";
 import { TEXT } from "tdsp/draw_text.js";
@@ -23,6 +23,7 @@ import { withUnit } from "tdsp/numbers.js";
  * @property {boolean} sampled the jumps are not known yet: between samples the curve is straight
  * @property {import("tdsp/curve_data.js").Rows|null} rows
  * @property {import("tdsp/curve_data.js").Jump[]} jumps
+ * @property {import("tdsp/curve_data.js").Bend[]} bends
  * @property {import("tdsp/curve_data.js").Last|null} last
  * @property {(departure: number) => number} travel the travel time of a departure, NaN where there is none
  * @property {number|null} departure
@@ -41,12 +42,16 @@ import { withUnit } from "tdsp/numbers.js";
  * @property {boolean} focused the slider has the keyboard
  */
 
-const MARKED = 0.012; // of the window's height: smaller jumps get no ends
 const FINE = 0.2; // pixels that need not be told apart
 const LAST = Object.freeze([5, 4]);
 const DEADLINE = Object.freeze([9, 3, 2, 3]);
 const HOVER = Object.freeze([7, 5]);
+const LAST_TEXT = 15; // pixels from the line of the last departure to the base line of what is written along it
 const KNOB = 8.5;
+const SAMPLE = 24; // pixels of a line in the legend
+const ARROW = 6;
+const MOMENT_RINGS = 5;
+const BEND = 2.2;
 
 /** Lines between points that can be told apart. */
 class Stairs {
@@ -119,6 +124,24 @@ function drawCurve(pen, state, frame) {
 }
 
 /** @param {Pen} pen */
+function drawBend(pen, palette, x, y) {
+    pen.begin();
+    pen.disc(x, y, BEND);
+    pen.fill(palette.paper);
+    pen.stroke(palette.path, 1.3);
+}
+
+/** @param {Pen} pen @param {CurveState} state */
+function drawBends(pen, state, frame) {
+    if (state.bends.length === 0) return;
+    pen.part("bends");
+    for (const { departure, travel } of state.bends) {
+        const at = placeOf(state, frame, departure, travel);
+        drawBend(pen, state.palette, at.x, at.y);
+    }
+}
+
+/** @param {Pen} pen */
 function drawJumpEnd(pen, palette, at, filled) {
     pen.begin();
     pen.disc(at.x, at.y, 3.8);
@@ -140,8 +163,19 @@ function drawJumps(pen, state, frame) {
     for (const [low, high] of ends) {
         if (low.y - high.y < MARKED * frame.height) continue;
         drawJumpEnd(pen, state.palette, low, true);
-        drawJumpEnd(pen, state.palette, high, false);
+        if (high.y >= frame.top) drawJumpEnd(pen, state.palette, high, false);
+        else if (low.y >= frame.top) drawArrow(pen, state.palette, low.x, frame.top);
     }
+}
+
+/** A jump goes on above the window. @param {Pen} pen */
+function drawArrow(pen, palette, x, top) {
+    pen.begin();
+    pen.move(x, top + 1);
+    pen.line(x - ARROW, top + 2 * ARROW);
+    pen.line(x + ARROW, top + 2 * ARROW);
+    pen.close();
+    pen.union(palette.alarm, palette.paper, 3);
 }
 
 /** @param {Pen} pen @param {CurveState} state @param {CurveLayout["frame"]} frame @param {CurveLayout} layout */
@@ -152,7 +186,7 @@ function drawLast(pen, state, frame, { last }) {
     pen.move(last.x, frame.top);
     pen.line(last.x, frame.top + frame.height);
     pen.stroke(state.palette.alarm, 1.4, LAST);
-    if (last.text) pen.textUpwards(last.x - 7, last.y, last.text, { size: TEXT, colour: state.palette.alarmText, halo: state.palette.paper });
+    if (last.text) pen.textUpwards(last.x + LAST_TEXT, last.y, last.text, { size: TEXT, colour: state.palette.alarmText, halo: state.palette.paper });
 }
 
 /** @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
@@ -175,22 +209,33 @@ function drawDeadline(pen, state, { deadline }) {
     pen.union(palette.ink, palette.paper, 4);
 }
 
-/** @param {Pen} pen @param {import("tdsp/palette.js").Palette} palette @param {string} kind */
-function drawSample(pen, palette, kind, x, y) {
+/** A short line of the legend. @param {Pen} pen */
+function drawDash(pen, x, y, colour, width) {
     pen.begin();
-    if (kind === "band") {
-        pen.rect(x, y - 6, 24, 12);
-        pen.fill(palette.tint);
-        pen.begin();
-    }
-    const low = kind === "curve" ? y : y - 6;
-    pen.move(kind === "jump" ? x + 5 : x, kind === "jump" ? y + 6 : low);
-    pen.line(kind === "jump" ? x + 5 : x + 24, low);
-    pen.stroke(kind === "jump" ? palette.alarm : kind === "band" ? palette.ahead : palette.path, kind === "curve" ? 2.4 : 1.6);
-    if (kind !== "jump") return;
-    drawJumpEnd(pen, palette, { x: x + 5, y: y + 6 }, true);
-    drawJumpEnd(pen, palette, { x: x + 5, y: y - 6 }, false);
+    pen.move(x, y);
+    pen.line(x + SAMPLE, y);
+    pen.stroke(colour, width);
 }
+
+/** What each entry of the legend looks like. @type {Record<string, (pen: Pen, palette: import("tdsp/palette.js").Palette, x: number, y: number) => void>} */
+const SAMPLES = {
+    curve: (pen, palette, x, y) => drawDash(pen, x, y, palette.path, 2.4),
+    band(pen, palette, x, y) {
+        pen.begin();
+        pen.rect(x, y - 6, SAMPLE, 12);
+        pen.fill(palette.tint);
+        drawDash(pen, x, y - 6, palette.ahead, 1.6);
+    },
+    bend: (pen, palette, x, y) => drawBend(pen, palette, x + 4, y),
+    jump(pen, palette, x, y) {
+        pen.begin();
+        pen.move(x + 5, y + 6);
+        pen.line(x + 5, y - 6);
+        pen.stroke(palette.alarm, 1.6);
+        drawJumpEnd(pen, palette, { x: x + 5, y: y + 6 }, true);
+        drawJumpEnd(pen, palette, { x: x + 5, y: y - 6 }, false);
+    },
+};
 
 /** @param {Pen} pen @param {CurveState} state @param {CurveArrangement} arrangement @param {CurveLayout} layout */
 export function drawCurveGround(pen, state, arrangement, layout) {
@@ -201,12 +246,13 @@ export function drawCurveGround(pen, state, arrangement, layout) {
     drawLast(pen, state, frame, layout);
     drawDeadline(pen, state, { ...layout, deadline: layout.deadline && { ...layout.deadline, leave: null } });
     drawCurve(pen, state, frame);
+    drawBends(pen, state, frame);
     drawJumps(pen, state, frame);
     drawDeadline(pen, state, layout);
     drawMessage(pen, state, frame);
     pen.unclip();
     drawAxes(pen, frame, ticks, { x: axes.x, y: titled ? axes.y : null }, palette);
-    drawLegend(pen, arrangement.legend, palette.ink, frame.left, arrangement.legendTop, (kind, x, y) => drawSample(pen, palette, kind, x, y));
+    drawLegend(pen, arrangement.legend, palette.ink, frame.left, arrangement.legendTop, (kind, x, y) => SAMPLES[kind](pen, palette, x, y));
 }
 
 /** @param {Pen} pen @param {CurveState} state */
@@ -216,12 +262,20 @@ function drawMessage(pen, state, frame) {
     pen.text(frame.left + frame.width / 2, frame.top + frame.height / 2, state.message, style);
 }
 
-/** "leave at 52.5 s: 4498 s on the way", or when it arrives. @param {CurveState} state */
-export function momentText(state, departure, travel) {
-    const unit = state.units.time, leave = withUnit(departure, unit, 6);
+/** "leave at 52.5 s: takes 4498 s", or when it arrives. @param {CurveState} state @param {number} departure */
+export function momentText(state, departure) {
+    const unit = state.units.time, leave = withUnit(departure, unit, 6), travel = state.travel(departure);
     if (Number.isNaN(travel)) return `leave at ${leave}: no way`;
     if (state.mode === "arrival") return `leave at ${leave}, arrive at ${withUnit(departure + travel, unit, 6)}`;
     return `leave at ${leave}: takes ${withUnit(travel, unit, 6)}`;
+}
+
+/** The same of a departure that is pointed at: at a jump, what it does, which not every jump has room to say always. @param {CurveState} state @param {number} departure */
+export function hoverText(state, departure) {
+    const jump = state.jumps.find((one) => one.departure === departure);
+    if (!jump) return momentText(state, departure);
+    const [before, after] = [jump.travelBefore, jump.travelAfter].map((travel) => withUnit(valueOf(state.mode, departure, travel), state.units.time, 6));
+    return `${jumpText(jump, state.units.time)}, ${before} becomes ${after}`;
 }
 
 /** A place on the curve. @param {Pen} pen @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
@@ -244,6 +298,7 @@ function drawDepartureLine(pen, state, frame, labels) {
     pen.line(at.x, Number.isNaN(at.y) ? frame.top : Math.max(at.y, frame.top));
     pen.stroke(palette.paper, 4);
     pen.stroke(palette.path, 1.6);
+    labels.addPassing(at.x, frame.top + frame.height, at.x, Number.isNaN(at.y) ? frame.top : at.y);
     drawPlace(pen, state, at, 5.5, palette.path, labels);
 }
 
@@ -259,29 +314,28 @@ function drawHoverLines(pen, state, frame, labels) {
     if (!Number.isNaN(at.y)) {
         pen.move(frame.left, at.y);
         pen.line(at.x, at.y);
+        labels.addPassing(frame.left, at.y, at.x, at.y);
     }
+    labels.addPassing(at.x, frame.top, at.x, frame.top + frame.height);
     pen.stroke(palette.other, 1.2, HOVER);
     drawPlace(pen, state, at, 4.5, palette.other, labels);
 }
 
-/** What a departure means, beside its place: in the way of a label that always stands there, if it must. @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
-function placeMoment(state, frame, labels, marks, departure, style) {
-    const travel = state.travel(departure), { x, y } = placeOf(state, frame, departure, travel);
-    const text = momentText(state, departure, travel), top = Number.isNaN(y) ? frame.top + 30 : y;
-    return labels.place(x, top, 11, -Math.PI / 2, text, style) ?? marks.place(x, top, 11, -Math.PI / 2, text, style);
+/** What a departure means, beside its place. @param {CurveState} state @param {import("tdsp/draw_labels.js").Labels} labels */
+function placeMoment(state, frame, labels, text, departure, style) {
+    const { x, y } = placeOf(state, frame, departure, state.travel(departure));
+    return labels.place(x, y >= frame.top ? y : frame.top + 30, 11, -Math.PI / 2, text, style, MOMENT_RINGS);
 }
 
-/** Labels of both moments, then those that always stand there, as far as they are not in the way. @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout */
+/** Labels of both moments, and those that always stand there, as far as they are not in the way. @param {Pen} pen @param {CurveState} state @param {CurveLayout} layout @param {import("tdsp/draw_labels.js").Labels} labels */
 function drawLabels(pen, state, frame, layout, labels) {
-    const { palette } = state, marks = labels.copy(), moments = [];
-    marks.boxes = layout.last?.box ? [layout.last.box] : [];
+    const { palette, departure, hover } = state;
     const chosen = { size: TEXT, bold: true, colour: palette.pathText, halo: palette.paper }, pointed = { size: TEXT, colour: palette.otherText, halo: palette.paper };
-    if (state.departure !== null) moments.push(placeMoment(state, frame, labels, marks, state.departure, chosen));
-    if (moments[0]) marks.addBox(moments[0]);
-    if (state.hover !== null) moments.push(placeMoment(state, frame, labels, marks, state.hover, pointed));
-    const shown = moments.filter((label) => label !== null), others = layout.placed.filter((one) => shown.every((moment) => areApart(one, moment)));
+    if (departure !== null) placeMoment(state, frame, labels, momentText(state, departure), departure, chosen);
+    if (hover !== null) placeMoment(state, frame, labels, hoverText(state, hover), hover, pointed);
+    const others = layout.placed.filter((one) => labels.placed.every((moment) => areApart(one, moment)));
     pen.part("labels");
-    for (const label of [...others, ...shown]) pen.text(label.x, label.y, label.text, label.style);
+    for (const label of [...others, ...labels.placed]) pen.text(label.x, label.y, label.text, label.style);
 }
 
 /** The knob that the slider is held by, on the axis. @param {Pen} pen @param {CurveState} state */

@@ -5,7 +5,7 @@
  * to it is told by the callbacks; only what the mouse points at is the view's own too.
  */
 import { frameX } from "tdsp/axes.js";
-import { curveOf, curveWindow, lastShown, latestDeparture, stairsOf, travelAt } from "tdsp/curve_data.js";
+import { curveOf, curveWindow, lastShown, latestDeparture, stairsOf, travelAt, withBends } from "tdsp/curve_data.js";
 import { CurveGestures } from "tdsp/curve_gestures.js";
 import { arrangeCurve, deadlineLine, layoutCurve } from "tdsp/curve_layout.js";
 import { drawCurveGround, drawCurveLive } from "tdsp/curve_picture.js";
@@ -21,6 +21,7 @@ import { light } from "tdsp/palette.js";
  * @property {import("tdsp/curve_data.js").Samples|null} samples of the earliest arrival, in order of time
  * @property {{rows: () => import("tdsp/curve_data.js").Rows}|import("tdsp/curve_data.js").Rows|null} table the core's Table, or its rows()
  * @property {import("tdsp/curve_data.js").Jump[]|null} jumps
+ * @property {import("tdsp/curve_data.js").Bend[]|null} bends
  * @property {import("tdsp/curve_data.js").Last|null} last
  * @property {((departure: number) => number)|null} evaluate the exact travel time of a departure, NaN where there is none; without it values between samples are on their chord
  * @property {number|null} departure that is chosen
@@ -77,6 +78,7 @@ export class CurveView {
             state.jumps = shown.jumps ?? [];
             state.sampled = shown.jumps === null;
         }
+        if (shown.bends !== undefined) state.bends = shown.bends ?? [];
         if (shown.units !== undefined) state.units = { time: shown.units?.time ?? "" };
         if (shown.table !== undefined) state.rows = rowsOf(shown.table);
         if (shown.deadline !== undefined && shown.leaveBy === undefined) given.leaveBy = null;
@@ -87,7 +89,7 @@ export class CurveView {
     takeCurve() {
         const { state, given } = this;
         state.stored = given.samples === null && state.rows !== null;
-        state.curve = state.stored ? stairsOf(state.rows) : curveOf(given.samples, state.jumps, state.last);
+        state.curve = state.stored ? stairsOf(state.rows) : curveOf(withBends(given.samples, state.bends), state.jumps, state.last);
         state.window = curveWindow(state.curve, state.last, state.mode, state.rows);
         state.travel = given.evaluate ?? ((departure) => travelAt(state.curve, departure));
         state.leaveBy = state.deadline === null ? null : given.leaveBy ?? latestDeparture(state.curve, state.deadline);

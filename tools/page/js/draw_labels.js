@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /**
- * Placing labels, as `tdsp plot` does: twelve places around the point are tried, and twelve further away; of those free of other
- * labels and marks, the one that hides least of the lines wins, the wanted direction first. A label without a free place is left out.
+ * Placing labels, as `tdsp plot` does: of the places that are tried around a point, or beside a line that stands upright, those free of
+ * other labels and marks are left, and the one that hides least wins, the wanted direction first. A label without a free place is left out.
  */
 
 /** @typedef {import("tdsp/draw_text.js").TextStyle} TextStyle */
@@ -14,6 +14,10 @@
 const PLACES = 12;
 const RINGS = 2;
 const FURTHER = 12; // pixels from one ring to the next
+const BEYOND = 26; // pixels past the ends of an upright line
+const SHIFT = 3; // pixels from one place beside it to the next
+const APART = 1.5; // pixels above and below a label beside a line that stay free
+const COVERED = 5; // points of lines that one label is worth which has to go for another
 const CELL = 16;
 const COLUMNS = 4096;
 
@@ -42,14 +46,22 @@ export class Labels {
         this.cells = new Map();
         /** What has found a place. @type {Label[]} */
         this.placed = [];
+        /** What had better not be hidden either, and how many points of lines each is worth. @type {(Box & {worth: number})[]} */
+        this.better = [];
     }
 
-    /** For more labels beside these, which come and go: lines are shared, marks and places are not. */
+    /** For labels that come and go over these: they may take the place of one that always stands there, where that costs least. */
     copy() {
         const copy = new Labels(this.frame, this.measure);
         copy.cells = this.cells;
         copy.boxes = [...this.boxes];
+        copy.better = this.placed.map(({ left, top, right, bottom }) => ({ left, top, right, bottom, worth: COVERED }));
         return copy;
+    }
+
+    /** A line along an axis that comes and goes. */
+    addPassing(x0, y0, x1, y1) {
+        this.better.push({ left: Math.min(x0, x1) - 1, top: Math.min(y0, y1) - 1, right: Math.max(x0, x1) + 1, bottom: Math.max(y0, y1) + 1, worth: 3 * COVERED });
     }
 
     /** Nothing may be written over a mark. */
@@ -82,12 +94,13 @@ export class Labels {
     isFree(box) {
         const frame = this.frame;
         if (box.left < frame.left + 3 || box.right > frame.right - 3 || box.top < frame.top + 3 || box.bottom > frame.bottom - 3) return false;
-        return this.boxes.every((other) => areApart(box, other));
+        return this.boxes.every((other) => areApart(box, other)) && this.placed.every((other) => areApart(box, other));
     }
 
-    /** How many points of lines lie under the box. @param {Box} box */
+    /** How many points of lines lie under the box, and what is worth as much. @param {Box} box */
     hidden(box) {
         let count = 0;
+        for (const other of this.better) if (!areApart(box, other)) count += other.worth;
         for (let row = Math.floor(box.top / CELL); row <= Math.floor(box.bottom / CELL); row++)
             for (let column = Math.floor(box.left / CELL); column <= Math.floor(box.right / CELL); column++)
                 count += hiddenIn(this.cells.get(column + COLUMNS * row), box);
@@ -95,19 +108,43 @@ export class Labels {
     }
 
     /**
-     * Place a label `distance` away from a point, best in direction `angle` (0: right, growing downwards).
+     * Place a label `distance` away from a point, best in direction `angle` (0: right, growing downwards); where that hides something, further and further away.
      * @returns {Label|null} null where there is no room
      */
-    place(x, y, distance, angle, text, style) {
-        const width = this.measure(text, style) + 4, height = style.size + 2;
+    place(x, y, distance, angle, text, style, rings = RINGS) {
+        const width = this.measure(text, style) + 4, height = style.size + 2, boxes = [];
+        for (let i = 0; i < rings * PLACES; i++) boxes.push(boxAt(x, y, distance + Math.floor(i / PLACES) * FURTHER, turned(angle, i % PLACES), width, height));
+        return this.take(boxes, text, style, Infinity);
+    }
+
+    /**
+     * Place a label beside a line from (x, top) to (x, bottom), best right of its middle, where it hides nothing at all.
+     * @returns {Label|null} null where there is no such place
+     */
+    placeBeside(x, top, bottom, distance, text, style) {
+        const width = this.measure(text, style) + 4, half = style.size / 2 + 1 + APART, middle = (top + bottom) / 2, boxes = [];
+        for (let off = 0; off <= (bottom - top) / 2 + BEYOND; off += SHIFT) {
+            for (const y of off > 0 ? [middle - off, middle + off] : [middle]) {
+                boxes.push({ left: x + distance, right: x + distance + width, top: y - half, bottom: y + half });
+                boxes.push({ left: x - distance - width, right: x - distance, top: y - half, bottom: y + half });
+            }
+        }
+        return this.take(boxes, text, style, 0);
+    }
+
+    /**
+     * Take the first of the free boxes that hides least, if it hides no more than `most`.
+     * @param {Box[]} boxes
+     * @returns {Label|null}
+     */
+    take(boxes, text, style, most) {
         let best = null, least = Infinity;
-        for (let i = 0; i < RINGS * PLACES && least > 0; i++) {
-            const box = boxAt(x, y, distance + Math.floor(i / PLACES) * FURTHER, turned(angle, i % PLACES), width, height);
+        for (const box of boxes) {
+            if (least === 0) break;
             const cost = this.isFree(box) ? this.hidden(box) : Infinity;
-            if (cost < least) [best, least] = [box, cost];
+            if (cost < least && cost <= most) [best, least] = [box, cost];
         }
         if (!best) return null;
-        this.boxes.push(best);
         const label = { x: (best.left + best.right) / 2, y: (best.top + best.bottom) / 2, text, style: { ...style, across: 0.5, up: 0.5 }, ...best };
         this.placed.push(label);
         return label;

@@ -15,7 +15,7 @@
 export const FONT = 'system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", "Noto Sans", "DejaVu Sans", Arial, sans-serif';
 /** Size of ordinary text, in CSS pixels. */
 export const TEXT = 13;
-export const HALO = 3.5;
+export const HALO = 5;
 const DIGIT_HEIGHT = 0.73;
 
 /** @param {TextStyle} style as the canvas wants it */

@@ -6,6 +6,7 @@ import { EPSILON, isEdited } from "tdsp/state.js";
 /** A link longer than this is cut by some programs that pass it on. */
 export const LONGEST = 32000;
 const LARGEST = 1 << 25;
+const DIGITS = 9; // of what is looked at: a pixel is more
 
 /** A link that cannot be followed; its message is a sentence. */
 export class LinkError extends Error {}
@@ -95,8 +96,10 @@ export function changed(base, changes) {
 
 // ------------------------------------------------------------------------------------------------------- the whole link
 
-/** The part of a link after #. @param {import("tdsp/state.js").State} state @returns {Promise<string>} */
-export async function writeLink(state) {
+/** @typedef {{view: import("tdsp/gallery.js").View|null, time: number|null}} Looked where the scene is looked at, null: all of it; and at what time, null: in the middle of the way */
+
+/** The part of a link after #. @param {import("tdsp/state.js").State} state @param {Looked} [looked] @returns {Promise<string>} */
+export async function writeLink(state, { view, time } = { view: null, time: null }) {
   const words = new URLSearchParams();
   if (state.from) words.set("scene", state.from);
   else words.set("name", state.name);
@@ -108,15 +111,27 @@ export async function writeLink(state) {
   if (state.mode !== "travel") words.set("show", state.mode);
   if (state.epsilon !== EPSILON.first) words.set("epsilon", String(state.epsilon));
   if (state.selected) words.set("selected", state.selected.what + (state.selected.what === "disc" ? state.selected.index : ""));
+  if (view) words.set("view", [view.x, view.y, view.width].map((value) => Number(value.toPrecision(DIGITS))).join(","));
+  if (time !== null) words.set("time", String(Number(time.toPrecision(DIGITS))));
   return words.toString();
 }
 
-function time(words, key) {
+const TIMES = { leave: "time to leave", deadline: "time to arrive by", time: "time to look at" };
+
+function timeOf(words, key) {
   const text = words.get(key);
   if (text === null) return null;
   const value = Number(text);
-  if (text.trim() === "" || !Number.isFinite(value) || value < 0) throw new LinkError(`The link is damaged: "${text}" is no time to ${key === "leave" ? "leave" : "arrive by"}.`);
+  if (text.trim() === "" || !Number.isFinite(value) || value < 0) throw new LinkError(`The link is damaged: "${text}" is no ${TIMES[key]}.`);
   return value;
+}
+
+function viewOf(words) {
+  const text = words.get("view");
+  if (text === null) return null;
+  const [x, y, width, ...more] = text.split(",").map(Number);
+  if (![x, y, width].every(Number.isFinite) || !(width > 0) || more.length > 0) throw new LinkError(`The link is damaged: "${text}" is no place to look at.`);
+  return { x, y, width };
 }
 
 function epsilon(words) {
@@ -150,7 +165,7 @@ function plausible(scene) {
  */
 export async function readLink(fragment, gallery) {
   const words = new URLSearchParams(fragment);
-  const chosen = { type: "open", departure: time(words, "leave") ?? 0, deadline: time(words, "deadline"), epsilon: epsilon(words), selected: selection(words),
+  const chosen = { type: "open", departure: timeOf(words, "leave") ?? 0, deadline: timeOf(words, "deadline"), time: timeOf(words, "time"), view: viewOf(words), epsilon: epsilon(words), selected: selection(words),
     mode: words.get("show") === "arrival" ? "arrival" : "travel", name: words.get("name") ?? words.get("scene") ?? "", from: words.get("scene") };
   if (words.has("table")) return { ...chosen, bytes: await unpack(words.get("table")) };
   if (!words.has("scene") && !words.has("whole")) return null;

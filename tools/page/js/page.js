@@ -67,15 +67,27 @@ export class Page {
     this.#ghost = { departure: null, path: null };
     if (this.playback.playing) this.playback.pause();
     this.store.dispatch({ type: "open", ...action });
-    this.playback.time = (this.playback.span.departure + this.playback.span.arrival) / 2;
+    this.playback.time = Math.min(action.time ?? this.#midway, this.playback.span.arrival);
     this.scene.fit();
     this.#showNow();
     if (action.view) this.#look(action.view);
   }
 
+  /** The time that a scene is shown at first. */
+  get #midway() {
+    const { departure, arrival } = this.playback.span;
+    return (departure + arrival) / 2;
+  }
+
+  /** What of the picture is not in the state: where it looks, and when. @returns {import("tdsp/link.js").Looked} */
+  get looked() {
+    const { time } = this.playback;
+    return { view: this.scene.window, time: Math.abs(time - this.#midway) <= 1e-9 * time ? null : time };
+  }
+
   #look({ x, y, width }) {
     this.scene.draw(); // only then is known how wide the window is
-    this.scene.view = { x, y, scale: this.scene.state.projection.width / width };
+    this.scene.window = { x, y, width };
   }
 
   /** Do an edit that may be no good: the sentence why not, or null. @param {any} action */
@@ -233,7 +245,7 @@ export class Page {
     const table = this.answers.table ?? (found.tableStale ? null : found.built?.table ?? null);
     const leaveBy = found.latest?.status === "ok" ? found.latest.departure : null;
     this.#tellCurve({
-      samples: found.samples, table, jumps: found.jumps, last: found.last, departure: state.departure, deadline: state.deadline, leaveBy, hover: this.#ghost.departure, mode: state.mode,
+      samples: found.samples, table, jumps: found.jumps, bends: found.bends, last: found.last, departure: state.departure, deadline: state.deadline, leaveBy, hover: this.#ghost.departure, mode: state.mode,
       evaluate: this.answers.scene ? this.#travel : null, units: state.edit?.scene.units ?? this.answers.table?.info.units ?? null, message: noCurve(found),
     });
     byId("curve").parentElement.classList.toggle("stale", found.stale);

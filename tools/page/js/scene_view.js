@@ -203,15 +203,16 @@ export class SceneView {
         this.changeView();
     }
 
-    /** The view itself, for links: what is in the middle, and pixels for a unit of length; null while it fits the journey. */
-    get view() {
-        const { centerX, centerY, scale } = this.state.projection;
-        return this.dirty.fit ? null : { x: centerX, y: centerY, scale };
+    /** What of the plane is seen: its middle and how wide it is, on any screen; null while it fits the journey. */
+    get window() {
+        const { centerX, centerY, scale, width } = this.state.projection;
+        return this.dirty.fit ? null : { x: centerX, y: centerY, width: width / scale };
     }
 
-    set view(view) {
-        this.dirty.fit = !view;
-        if (view) Object.assign(this.state.projection, { centerX: view.x, centerY: view.y, scale: view.scale });
+    set window(window) {
+        const { projection } = this.state;
+        this.dirty.fit = !window;
+        if (window) Object.assign(projection, { centerX: window.x, centerY: window.y, scale: projection.width / window.width });
         this.changeView();
     }
 

@@ -86,8 +86,9 @@ function withEdit(state, edit, gesture) {
   return { ...state, edit, past, future: [], gesture: gesture ?? null, ...selectionWithin(state, edit) };
 }
 
+/** A disc that is not there is not selected. */
 function selectionWithin(state, edit) {
-  const gone = state.selected?.what === "disc" && state.selected.index >= edit.scene.discs.length;
+  const gone = state.selected?.what === "disc" && !(state.selected.index < edit?.scene.discs.length);
   return gone ? { selected: null } : {};
 }
 
@@ -107,8 +108,9 @@ function redone(state) {
 function opened(state, action) {
   const original = action.scene ? { scene: action.scene, factor: 1 } : null;
   const edit = action.edit ?? original;
-  return { ...START, mode: action.mode ?? state.mode, epsilon: action.epsilon ?? state.epsilon, name: action.name, from: action.from ?? null, bytes: action.bytes ?? null,
+  const next = { ...START, mode: action.mode ?? state.mode, epsilon: action.epsilon ?? state.epsilon, name: action.name, from: action.from ?? null, bytes: action.bytes ?? null,
     original, edit, departure: action.departure ?? 0, deadline: action.deadline ?? null, selected: action.selected ?? null };
+  return { ...next, ...selectionWithin(next, edit) };
 }
 
 /** @param {State} state @param {{type: string, [key: string]: any}} action @returns {State} */

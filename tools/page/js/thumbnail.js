@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A scene in a few dozen pixels: what discs cover at departure and at arrival, and the way between the ends. No words, no numbers.
 
-const MARGIN = 9;
+import { sceneExtent } from "tdsp/scene_projection.js";
+
 const POINTS = 160;
 
-/** The rectangle of both ends and the path, and how it lies on the canvas. */
-function fitted(canvas, points) {
-  const xs = points.map((p) => p[0]);
-  const ys = points.map((p) => p[1]);
-  const [left, right, low, high] = [Math.min(...xs), Math.max(...xs), Math.min(...ys), Math.max(...ys)];
-  const scale = Math.min((canvas.width - 2 * MARGIN) / Math.max(right - left, 1e-12), (canvas.height - 2 * MARGIN) / Math.max(high - low, (right - left) * 0.35, 1e-12));
-  return { scale, x: (x) => canvas.width / 2 + (x - (left + right) / 2) * scale, y: (y) => canvas.height / 2 - (y - (low + high) / 2) * scale };
+/** What the large picture shows at first, on this canvas. @param {HTMLCanvasElement} canvas @param {import("tdsp/gallery.js").Entry} entry */
+function fitted(canvas, { scene, view }, radii, legs) {
+  const extent = sceneExtent(scene, radii, legs);
+  const [x, y] = view ? [view.x, view.y] : [(extent.xLow + extent.xHigh) / 2, (extent.yLow + extent.yHigh) / 2];
+  const scale = view ? canvas.width / view.width : Math.min(canvas.width / (extent.xHigh - extent.xLow), canvas.height / (extent.yHigh - extent.yLow));
+  return { scale, x: (at) => canvas.width / 2 + (at - x) * scale, y: (at) => canvas.height / 2 - (at - y) * scale };
 }
 
 /** Points along the legs, dense enough for this size. */
@@ -64,7 +64,7 @@ export function drawThumbnail(canvas, core, entry, palette) {
   try {
     const path = scene.path(0);
     const points = path.status === "ok" ? pointsOf(core, path) : [];
-    const frame = fitted(canvas, [entry.scene.source, entry.scene.destination, ...points]);
+    const frame = fitted(canvas, entry, scene.radii(0), path.legs ?? []);
     context.fillStyle = palette.paper;
     context.fillRect(0, 0, canvas.width, canvas.height);
     fillDiscs(context, frame, entry.scene.discs, scene.radii(path.arrival ?? 0), palette.later);

@@ -228,6 +228,22 @@ def a_path_that_begins_with_a_ride_or_just_before_a_tick_is_drawn():
 
 
 @test
+def who_asks_for_a_gif_is_told_how_to_get_what_moves():
+    fails(2, ["a.gif: a moving picture is an SVG: -o FILE.svg --animate"], "plot", scene(), "-o", "a.gif")
+    expect(not os.path.exists("a.gif"), "a file is there")
+
+
+@test
+def a_jump_that_only_the_very_last_departures_are_after_leaves_the_picture():
+    done("build", ROOT / "tools/page/gallery/nsquared.json", "-o", "n.tdsp", "--epsilon", "1e-4")
+    done("plot", "n.tdsp", "-o", "a.svg")
+    texts = [element.text for element in xml.parse("a.svg").getroot().iter() if element.tag.endswith("}text")]
+    expect("356038: discs 4 and 9 close, to 550.748" in texts, texts)
+    expect("248781: discs 3 and 9 close" in texts, "the others are pressed flat")
+    expect("540" not in texts, "the axis goes on past the jump")
+
+
+@test
 def json_tells_the_departure_marked_in_a_table():
     report = done("plot", built(), "-o", "a.svg", "--depart", 5, "--json").json
     expect_equal((report["of"], report["departure"], report["status"]), ("table", 5, "ok"))

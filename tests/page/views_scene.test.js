@@ -177,6 +177,17 @@ test("a label without room is left out", () => {
     assert.equal(labels.place(10, 10, 5, 0, "too long for this", { size: 13, colour: "#000000" }), null);
 });
 
+test("what a gap says is not where the robot comes along", () => {
+    for (const [width, height] of [[1000, 700], [370, 340]]) {
+        const state = stateOf(twoDiscs, 9.8, 19.8);
+        arrangeScene(state, width, height, guessedWidth);
+        state.projection.fit({ xLow: -11, xHigh: 11, yLow: -5, yHigh: 5 });
+        const [label] = layoutScene(state, guessedWidth).labels.filter(({ after }) => after);
+        const path = state.projection.y(0);
+        assert.ok(label.bottom < path - 6 || label.top > path + 6, `${label.top} to ${label.bottom}, the path at ${path}`);
+    }
+});
+
 test("a scale bar is a round length that is no longer than asked for, by much", () => {
     for (const scale of [1e-3, 0.07, 1, 33, 1e4]) {
         const bar = scaleBar(scale, { name: "x", unit: "m", divisor: 1 }, 110);

@@ -28,16 +28,16 @@ moving() { # PICTURE SCENE DEPARTURE LATER
     [ -n "$check" ] || "$build/tdsp" plot "$2" --depart "$3" --beside "$4" --jumps --animate -o "$out/$1" >/dev/null
 }
 
-page() { # PICTURE SCENE
-    { echo "$1"; "$build/tdsp" arrive "$2" 0 | awk '{ print $1, $2, $3, $4 }'; "$build/tdsp" jumps "$2"; } | rounded >>"$work/shown.txt"
+page() { # PICTURE SCENE NAME DEPARTURE WIDTH HEIGHT COLOURS: of the scene that has this name in the page's gallery
+    { echo "$1"; "$build/tdsp" path "$2" "$4"; "$build/tdsp" jumps "$2"; } | rounded >>"$work/shown.txt"
     [ -z "$check" ] || return 0
     if ! command -v chromium >/dev/null || [ ! -e "$build/page/index.html" ]; then
         echo "pictures: $1 stays as it is: it takes chromium, and the page that 'make page' builds" >&2
         return 0
     fi
-    "$build/tdsp" view "$2" --no-open -o "$work/page.html" >/dev/null
-    # Its thumbnails and the table come after the rest.
-    tools/setup/screenshot.py "$work/page.html" "$out/$1" 1280 860 '!/computing/.test(document.body.innerText)'
+    # The table comes last, and bends after it.
+    tools/setup/screenshot.py "$build/page/index.html#scene=$3&leave=$4" "$out/$1" "$5" "$6" "$7" \
+        'globalThis.tdspPage && (({ built, working, stale }) => built && !working && !stale)(tdspPage.answers.found)'
 }
 
 travel_times() { # PICTURE SCENE
@@ -51,7 +51,8 @@ travel_times() { # PICTURE SCENE
 [ -n "$check" ] || mkdir -p "$out/math"
 examples=examples/scenes
 moving fires.svg "$scene" 52 53
-page page.png "$scene"
+page page.png "$scene" fire-oregon-c 52 1280 962 light
+page page-phone.png $examples/two-discs.json two-discs 9.8 390 1190 dark
 moving gate.svg $examples/two-discs.json 9.8 9.9
 travel_times travel-times.png "$scene"
 travel_times math/two-discs-travel-times.png $examples/two-discs.json

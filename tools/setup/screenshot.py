@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Take a picture of a page in chromium once an expression holds in it: screenshot.py PAGE PICTURE WIDTH HEIGHT EXPRESSION
+"""Take a picture of a page in chromium once an expression holds in it: screenshot.py PAGE[#FRAGMENT] PICTURE WIDTH HEIGHT light|dark EXPRESSION
 
 Speaks the browser's own protocol over its pipe, messages of JSON that end with a zero byte, so that it needs nothing but Python and chromium.
 """
@@ -56,12 +56,13 @@ class Browser:
         return self.call("Runtime.evaluate", expression=expression)["result"].get("value")
 
 
-def take(browser, page, width, height, expression):
+def take(browser, page, width, height, colours, expression):
     target = browser.call("Target.createTarget", url="about:blank")["targetId"]
     browser.session = browser.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
     browser.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
-    browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}, {"name": "prefers-color-scheme", "value": "light"}])
-    browser.call("Page.navigate", url=pathlib.Path(page).resolve().as_uri())
+    browser.call("Emulation.setEmulatedMedia", features=[{"name": "prefers-reduced-motion", "value": "reduce"}, {"name": "prefers-color-scheme", "value": colours}])
+    file, mark, fragment = page.partition("#")
+    browser.call("Page.navigate", url=pathlib.Path(file).resolve().as_uri() + mark + fragment)
     end = time.monotonic() + PATIENCE
     while not browser.value(f"document.readyState === 'complete' && Boolean({expression})"):
         if time.monotonic() > end:
@@ -71,11 +72,11 @@ def take(browser, page, width, height, expression):
     return base64.b64decode(browser.call("Page.captureScreenshot", format="png")["data"])
 
 
-def main(page, picture, width, height, expression):
+def main(page, picture, width, height, colours, expression):
     profile = tempfile.mkdtemp()
     browser = Browser(profile)
     try:
-        pathlib.Path(picture).write_bytes(take(browser, page, int(width), int(height), expression))
+        pathlib.Path(picture).write_bytes(take(browser, page, int(width), int(height), colours, expression))
     finally:
         browser.process.kill()
         browser.process.wait()

@@ -59,7 +59,7 @@ struct Canvas {
 /* The font of a style at its size. */
 void backend_choose_font(cairo_t *cr, const TextStyle *style);
 
-#define BACKEND_HALO 3.5 /* width of the white line around letters */
+#define BACKEND_HALO 5.0 /* width of the white line around letters */
 #define BACKEND_SCALE 2.0 /* pixels of a PNG for each point */
 
 gboolean backend_fail_cairo(cairo_status_t status, GError **error);

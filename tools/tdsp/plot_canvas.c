@@ -28,6 +28,7 @@ gboolean canvas_check_name(const char *path, gboolean moving, GError **error)
     if (ends_in(path, ".svg")) return TRUE;
     if (moving) return cli_fail(error, CLI_USAGE, "%s: a moving picture is an SVG, so the name must end in .svg (browsers play it)", path);
     if (ends_in(path, ".png")) return TRUE;
+    if (ends_in(path, ".gif")) return cli_fail(error, CLI_USAGE, "%s: a moving picture is an SVG: -o FILE.svg --animate (browsers play it)", path);
     return cli_fail(error, CLI_USAGE, "%s: the name must end in .svg or .png, which says what to draw", path);
 }
 

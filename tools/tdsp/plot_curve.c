@@ -26,6 +26,9 @@
 #define MARGIN_BOTTOM 100.0
 #define FINE 0.2 /* points of the canvas that need not be told apart */
 #define OBSTACLE_EVERY 4.0
+#define ABOVE 0.1      /* of the range of travel times, over the highest */
+#define ABOVE_CUT 0.25 /* the same where a jump leaves the frame, which has to be said there */
+#define LAST_TEXT 15.0 /* from the line of the last departure to the base line of its name */
 
 /* The upper edge of the band: the travel time that is kept. */
 static const Pen edge_pen = {PLOT_PATH, 1.6, TRUE, 0, 0};
@@ -52,7 +55,8 @@ static double highest(const Curve *curve)
 
 static Frame frame_of(const Curve *curve)
 {
-    double low = row_at(curve, 0).left, high = highest(curve), last = curve->info.last_departure;
+    double low = row_at(curve, 0).left, all = highest(curve), last = curve->info.last_departure;
+    double high = plot_jumps_cut(curve->table, &curve->info, low, all), above = high < all ? ABOVE_CUT : ABOVE;
     double range = high - low;
     if (!(range > 1e-9 * fabs(high))) range = high > 0 ? 0.1 * high : 1;
     double width = last > 0 ? last : 1;
@@ -64,7 +68,7 @@ static Frame frame_of(const Curve *curve)
                    -0.01 * width,
                    1.04 * width,
                    bottom,
-                   low + 1.1 * range};
+                   low + (1 + above) * range};
 }
 
 /* A staircase being drawn: vertices that are not told apart are merged. */
@@ -118,22 +122,19 @@ static void draw_band(const Curve *curve, Canvas *canvas)
     canvas_stroke(canvas, &edge_pen);
 }
 
-/* Its name stands where the curve does not come by. */
+/* Its name stands right of it, where there is no curve. */
 static void draw_last_departure(const Curve *curve, Canvas *canvas, Labels *labels)
 {
     const Pen pen = {PLOT_ALARM, 1.2, FALSE, 5, 4};
-    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM_TEXT, 0.5, 0, TRUE};
+    const TextStyle style = {PLOT_TEXT, FALSE, PLOT_ALARM_TEXT, 0, 0, TRUE};
     double x = frame_x(&curve->frame, curve->info.last_departure);
     canvas_move_to(canvas, x, curve->frame.top);
     canvas_line_to(canvas, x, curve->frame.top + curve->frame.height);
     canvas_stroke(canvas, &pen);
     const char *text = curve->info.last_reason == TDSP_HORIZON ? "horizon" : "last departure";
-    const Frame *frame = &curve->frame;
-    double half = canvas_text_width(canvas, &style, text) / 2, near_end = 0.97 * curve->info.last_departure, arrival = 0;
-    (void)tdsp_table_arrival(curve->table, near_end, NULL, &arrival);
-    double middle = frame_y(frame, arrival - near_end) < frame->top + frame->height / 2 ? frame->top + frame->height - half - 8 : frame->top + half + 8;
-    canvas_text_upwards(canvas, x - 7, middle, &style, text);
-    labels_add_box(labels, x - 7 - PLOT_TEXT, middle - half, x - 7, middle + half);
+    double bottom = curve->frame.top + curve->frame.height;
+    canvas_text_upwards(canvas, x + LAST_TEXT, bottom - 10, &style, text);
+    labels_add_box(labels, x, curve->frame.top, x + LAST_TEXT + 4, bottom);
 }
 
 /* The curve and its jumps, as far as a label should not hide them. */

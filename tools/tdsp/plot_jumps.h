@@ -18,4 +18,8 @@ guint plot_jumps(Canvas *canvas, const Frame *frame, const tdsp_table *table, co
 /* Write beside the largest ones when they are, and what closes, as far as there is room. */
 void plot_jump_labels(Canvas *canvas, const Frame *frame, const tdsp_table *table, const tdsp_table_info *info, Labels *labels);
 
+/* The travel time up to which a picture goes whose travel times are from `low` to `high`: a jump that only the very last departures are
+ * after leaves it, where it would press all others flat. */
+double plot_jumps_cut(const tdsp_table *table, const tdsp_table_info *info, double low, double high);
+
 #endif

@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* Placing labels: twelve places around the point are tried; the one that hides least of the lines wins. */
+/*
+ * Placing labels: twelve places around a point are tried, and the one that hides least of the lines wins; or places beside a line that
+ * stands upright, of which only one will do that hides nothing.
+ */
 #include "plot_labels.h"
 
 #include <math.h>
 
 #define PLACES 12
+#define BEYOND 26.0 /* past the ends of an upright line */
+#define SHIFT 3.0   /* from one place beside it to the next */
+#define APART 1.5   /* above and below a label beside a line stays free */
 
 typedef struct Box {
     double left, top, right, bottom;
@@ -77,6 +83,14 @@ static double turned(double angle, int place)
     return angle + 2 * G_PI * twelfths / PLACES;
 }
 
+static void write_in(Labels *labels, Canvas *canvas, const Box *box, const TextStyle *style, const char *text)
+{
+    TextStyle placed = *style;
+    placed.across = placed.up = 0.5;
+    canvas_text(canvas, (box->left + box->right) / 2, (box->top + box->bottom) / 2, &placed, text);
+    g_array_append_val(labels->boxes, *box);
+}
+
 gboolean labels_write(Labels *labels, Canvas *canvas, double x, double y, double distance, double angle, const TextStyle *style,
                       const char *text)
 {
@@ -91,9 +105,21 @@ gboolean labels_write(Labels *labels, Canvas *canvas, double x, double y, double
         best = box;
     }
     if (least == G_MAXUINT) return FALSE;
-    TextStyle placed = *style;
-    placed.across = placed.up = 0.5;
-    canvas_text(canvas, (best.left + best.right) / 2, (best.top + best.bottom) / 2, &placed, text);
-    g_array_append_val(labels->boxes, best);
+    write_in(labels, canvas, &best, style, text);
     return TRUE;
+}
+
+gboolean labels_write_beside(Labels *labels, Canvas *canvas, double x, double top, double bottom, double distance, const TextStyle *style,
+                             const char *text)
+{
+    double width = canvas_text_width(canvas, style, text) + 4, half = style->size / 2 + 1 + APART, reach = (bottom - top) / 2 + BEYOND;
+    for (int i = 0; SHIFT * (i / 4) <= reach; i++) {
+        double y = (top + bottom) / 2 + (i % 4 < 2 ? -1 : 1) * SHIFT * (i / 4);
+        double left = i % 2 == 0 ? x + distance : x - distance - width;
+        Box box = {left, y - half, left + width, y + half};
+        if (!is_free(labels, &box) || hidden(labels, &box) > 0) continue;
+        write_in(labels, canvas, &box, style, text);
+        return TRUE;
+    }
+    return FALSE;
 }

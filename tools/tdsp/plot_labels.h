@@ -27,4 +27,9 @@ void labels_add_obstacle(Labels *labels, double x, double y);
 gboolean labels_write(Labels *labels, Canvas *canvas, double x, double y, double distance, double angle, const TextStyle *style,
                       const char *text);
 
+/* Write `text` beside the line from (x, top) to (x, bottom), best right of its middle, where it hides nothing at all. FALSE when there
+ * is no such place: nothing is written. */
+gboolean labels_write_beside(Labels *labels, Canvas *canvas, double x, double top, double bottom, double distance, const TextStyle *style,
+                             const char *text);
+
 #endif

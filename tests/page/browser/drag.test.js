@@ -116,6 +116,29 @@ test("pointing at an instant shows the way of that departure, as a ghost", quiet
   await page.waitForFunction(() => globalThis.tdspPage.scene.state.ghost.length === 0);
 }));
 
+test("pointing at a jump says what closes there", quietly(async () => {
+  const page = await openPage();
+  await choose(page, "A crowd of 300");
+  const box = await page.locator("#curve").boundingBox();
+  const [x, y] = await ask(page, (p) => {
+    const { frame } = p.curve.arrangement, jump = p.answers.found.jumps.at(-1);
+    return [frame.left + ((jump.departure - frame.xLow) / (frame.xHigh - frame.xLow)) * frame.width, frame.top + 30];
+  });
+  await page.mouse.move(box.x + x + 1, box.y + y);
+  await page.waitForFunction(() => globalThis.tdspPage.curve.state.hover !== null);
+  assert.equal(await ask(page, (p) => p.curve.state.hover), await ask(page, (p) => p.answers.found.jumps.at(-1).departure));
+}));
+
+test("bends are marked where they can be found, and go with the scene that had them", quietly(async () => {
+  const page = await openPage();
+  await choose(page, "Many bends");
+  await page.waitForFunction(() => globalThis.tdspPage.curve.state.bends.length > 0);
+  assert.deepEqual(await ask(page, (p) => [p.answers.found.bends.length, p.answers.found.jumps.length]), [13, 4]);
+  assert.ok(await ask(page, (p) => p.curve.state.window.yHigh < 489), "the last jump presses the others flat");
+  await choose(page, "A crowd of 300");
+  assert.deepEqual(await ask(page, (p) => [p.answers.found.bends.length, p.curve.state.bends.length]), [0, 0]);
+}));
+
 test("a deadline gives the latest departure", quietly(async () => {
   const page = await openPage();
   await settled(page);

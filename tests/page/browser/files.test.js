@@ -91,6 +91,7 @@ test("a saved table opens again: its curve, its jumps, its ways, and why there a
   assert.ok(Math.abs(shown[0] - row.upper) < 0.1 && Math.abs(shown[1] - row.lower) < 0.1, String(shown));
   assert.equal(await page.textContent("#scene-words"), "A table holds the ways, not the discs: open its scene (.json) to see them.");
   assert.match(await page.textContent("#table-facts"), /^19 rows, 15\.8 kB, as opened: travel times within 1 %\.$/);
+  assert.equal(await page.textContent("#epsilon-value"), "", "the slider's epsilon is not the table's");
   assert.equal(await ask(page, (p) => p.curve.state.jumps.length), 3);
   assert.ok(await page.getByLabel("Growth multiplier").isDisabled());
   assert.deepEqual((await saveByMenu(page, "table")).bytes, bytes);

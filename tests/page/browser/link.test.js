@@ -49,6 +49,23 @@ test("edits, departure, deadline, epsilon, curve and selection come back in anot
   assert.equal(await other.textContent("#words"), await page.textContent("#words"));
 }));
 
+test("where and when somebody looks is in the link, on a window of another size too", quietly(async () => {
+  const page = await openPage();
+  await choose(page, "Fires in Oregon");
+  const box = await page.locator("#scene").boundingBox();
+  await page.mouse.move(box.x + box.width / 3, box.y + box.height / 2);
+  for (let i = 0; i < 4; i++) await page.mouse.wheel(0, -300);
+  await page.evaluate(() => globalThis.tdspPage.playback.seek(3000));
+  const looked = (p) => p.scene.window;
+  await page.waitForFunction(() => globalThis.tdspPage.scene.window !== null);
+  const seen = await ask(page, looked);
+  const other = await openPage({ hash: await share(page), options: { viewport: { width: 700, height: 900 } } });
+  await settled(other);
+  assert.equal(await ask(other, (p) => p.playback.time), 3000);
+  const back = await ask(other, looked);
+  for (const key of ["x", "y", "width"]) assert.ok(Math.abs(back[key] - seen[key]) < 1e-6 * seen.width, `${key}: ${back[key]}, not ${seen[key]}`);
+}));
+
 test("a scene and a table of one's own are in the link", quietly(async () => {
   const file = join(scratch, "own.json");
   tdsp("generate", "crowd", "--n", "60", "--seed", "3", "-o", file);

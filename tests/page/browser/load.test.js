@@ -57,12 +57,14 @@ for (const entry of entries) {
 }
 
 test("a phone's width needs no scrolling sideways, in any state", quietly(async () => {
-  const page = await openPage({ options: { viewport: { width: 390, height: 844 } } });
-  for (const title of ["The gap that closes", "Ships off Galveston"]) {
-    await choose(page, title);
-    await page.locator("#numbers summary").click();
-    await page.keyboard.press("n");
-    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= 390), title);
+  for (const viewport of [{ width: 390, height: 844 }, { width: 375, height: 667 }, { width: 320, height: 568 }]) {
+    const page = await openPage({ options: { viewport } });
+    for (const title of ["The gap that closes", "Ships off Galveston"]) {
+      await choose(page, title);
+      await page.locator("#numbers summary").click();
+      await page.keyboard.press("n");
+      assert.ok(await page.evaluate((width) => document.documentElement.scrollWidth <= width, viewport.width), `${title}, ${viewport.width}`);
+    }
   }
 }));
 

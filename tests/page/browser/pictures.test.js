@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Both pictures in six states, held against those recorded in pictures/. Machines have other fonts, so only what is coarser than text counts: both are made so
+// Both pictures in seven states, held against those recorded in pictures/. Machines have other fonts, so only what is coarser than text counts: both are made so
 // small that a cell is CELL pixels wide, and so many cells at most may be of another colour. RECORD=1 records them anew; look at them then.
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
@@ -75,6 +75,12 @@ const states = {
     await page.waitForFunction(() => globalThis.tdspPage.store.state.bytes !== null);
     return page;
   },
+  "many-bends": async () => {
+    const page = await openPage();
+    await choose(page, "Many bends");
+    await page.waitForFunction(() => globalThis.tdspPage.curve.state.bends.length > 0);
+    return page;
+  },
   "no-way": async () => openPage({ hash: "#scene=faster&leave=14" }),
 };
 
@@ -92,5 +98,35 @@ for (const [name, reach] of Object.entries(states)) {
     const share = await difference(page, picture, `data:image/png;base64,${readFileSync(file).toString("base64")}`, APART);
     if (share > SHARE) writeFileSync(join(scratch, `../tdsp-page-${name}.png`), Buffer.from(picture.split(",")[1], "base64"));
     assert.ok(share <= SHARE, `${(100 * share).toFixed(1)} % of the cells differ`);
+  }));
+}
+
+/** A PNG as a data URL. @param {Buffer} bytes */
+const asUrl = (bytes) => `data:image/png;base64,${bytes.toString("base64")}`;
+
+/** A picture made so small that a pixel is a cell. */
+const shrunk = (page, picture) => page.evaluate(async ([url, cell]) => {
+  const image = new Image();
+  image.src = url;
+  await image.decode();
+  const canvas = Object.assign(document.createElement("canvas"), { width: Math.floor(image.width / cell), height: Math.floor(image.height / cell) });
+  const context = canvas.getContext("2d");
+  context.imageSmoothingQuality = "high";
+  context.drawImage(image, 0, 0, canvas.width, canvas.height);
+  return canvas.toDataURL("image/png");
+}, [picture, CELL]);
+
+const SCREEN_SHARE = 0.04; // of the cells of a whole screen, where times that were measured are, and words in other fonts
+const shown = { "page": { scene: "fire-oregon-c", leave: 52, colorScheme: "light" }, "page-phone": { scene: "two-discs", leave: 9.8, colorScheme: "dark" } };
+for (const [name, { scene, leave, colorScheme }] of Object.entries(shown)) {
+  test(`docs/pictures/${name}.png is what the page looks like: else, make pictures`, quietly(async () => {
+    const file = readFileSync(join(root, `docs/pictures/${name}.png`));
+    const viewport = { width: file.readUInt32BE(16), height: file.readUInt32BE(20) };
+    const page = await openPage({ hash: `#scene=${scene}&leave=${leave}`, options: { viewport, colorScheme } });
+    await settled(page);
+    await page.waitForTimeout(1000); // thumbnails
+    const [now, then] = [await shrunk(page, asUrl(await page.screenshot())), await shrunk(page, asUrl(file))];
+    const share = await difference(page, now, then, APART);
+    assert.ok(share <= SCREEN_SHARE, `${(100 * share).toFixed(1)} % of the cells differ`);
   }));
 }

@@ -114,7 +114,7 @@ export class Controls {
     byId("reset").disabled = !isEdited(state);
     byId("epsilon").disabled = scene === null;
     setValue(byId("epsilon"), Math.log10(state.epsilon));
-    byId("epsilon-value").textContent = percentWords(state.epsilon);
+    byId("epsilon-value").textContent = scene ? percentWords(state.epsilon) : ""; // what a table was built with, its facts say
     for (const radio of all('input[name="mode"]')) radio.checked = radio.value === state.mode;
     if (!scene) return;
     setValue(byId("speed"), logOf(scene.robot.speed / state.original.scene.robot.speed));

@@ -46,6 +46,8 @@ export class Labels {
         this.cells = new Map();
         /** What has found a place. @type {Label[]} */
         this.placed = [];
+        /** Pixels around a label that lines had better keep away too. */
+        this.clear = 0;
         /** What had better not be hidden either, and how many points of lines each is worth. @type {(Box & {worth: number})[]} */
         this.better = [];
     }
@@ -98,7 +100,8 @@ export class Labels {
     }
 
     /** How many points of lines lie under the box, and what is worth as much. @param {Box} box */
-    hidden(box) {
+    hidden({ left, top, right, bottom }) {
+        const box = { left: left - this.clear, top: top - this.clear, right: right + this.clear, bottom: bottom + this.clear };
         let count = 0;
         for (const other of this.better) if (!areApart(box, other)) count += other.worth;
         for (let row = Math.floor(box.top / CELL); row <= Math.floor(box.bottom / CELL); row++)

@@ -85,9 +85,12 @@ export class Page {
     return { view: this.scene.window, time: Math.abs(time - this.#midway) <= 1e-9 * time ? null : time };
   }
 
-  #look({ x, y, width }) {
-    this.scene.draw(); // only then is known how wide the window is
-    this.scene.window = { x, y, width };
+  /** Numbers on the axes decide how wide the window is, and what it shows, which numbers those are: so twice. @param {import("tdsp/gallery.js").View} view */
+  #look(view) {
+    for (let i = 0; i < 2; i++) {
+      this.scene.draw();
+      this.scene.window = view;
+    }
   }
 
   /** Do an edit that may be no good: the sentence why not, or null. @param {any} action */

@@ -9,7 +9,7 @@ import { TEXT } from "tdsp/draw_text.js";
 import { withUnit } from "tdsp/numbers.js";
 import { countSeen } from "tdsp/scene_discs.js";
 import { positionAt } from "tdsp/scene_legs.js";
-import { END_RADIUS, GAP_REACH, scaleBar } from "tdsp/scene_marks.js";
+import { END_RADIUS, GAP_REACH, ROBOT, scaleBar } from "tdsp/scene_marks.js";
 import { Tracer, traceLegs } from "tdsp/scene_trace.js";
 
 /** @typedef {import("tdsp/scene_picture.js").SceneState} SceneState */
@@ -127,11 +127,13 @@ function placeEnds(state, labels) {
 function placeGaps(state, labels, gaps) {
     const style = { size: TEXT - 1, bold: true, colour: state.palette.alarmText, halo: state.palette.paper };
     for (const gap of gaps) labels.addMark(gap.x, gap.y, GAP_REACH - 3);
+    labels.clear = ROBOT; // the robot comes along the path just when a gap matters
     for (const gap of gaps.slice(0, GAP_LABELS)) {
         const moment = withUnit(gap.time, state.units.time, 5);
         const label = labels.place(gap.x, gap.y, GAP_REACH + 2, gap.direction + Math.PI / 2, `closes at ${moment}`, style);
         if (label) Object.assign(label, { until: gap.time, after: `closed at ${moment}`, afterStyle: { ...label.style, bold: false } });
     }
+    labels.clear = 0;
 }
 
 /**

@@ -13,7 +13,8 @@ export const END_RADIUS = 8;
 export const GAP_REACH = 13;
 const TICK_HALF = 5;
 const RING = 15;
-const ROBOT = 7;
+/** Its radius, where its own is smaller. */
+export const ROBOT = 7;
 const NOSE = 1.75; // of the robot's radius
 
 /** @param {Pen} pen @param {Palette} palette @param {boolean} filled the source */

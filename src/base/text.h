@@ -5,10 +5,10 @@
 
 #include <stddef.h>
 
-/* The length of the character at p (1 to 4), or 0 when the bytes before `end` are no character. */
-size_t text_utf8_length(const unsigned char *p, const unsigned char *end);
+/* The length of the character that begins at `at` (1 to 4), or 0 when the bytes from there to before `end` are no character. */
+size_t text_utf8_length(const unsigned char *bytes, size_t at, size_t end);
 
-/* Are these bytes UTF-8 throughout? */
-int text_is_utf8(const unsigned char *p, size_t length);
+/* Are the bytes from `first` to before `end` UTF-8 throughout? `bytes` may be NULL where there are none. */
+int text_is_utf8(const unsigned char *bytes, size_t first, size_t end);
 
 #endif

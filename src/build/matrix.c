@@ -38,7 +38,7 @@ static int ends_are_valid(const tdsp_matrix_end *ends, size_t count)
     if (!ends || count == 0 || count > MATRIX_MOST_ENDS) return 0;
     for (size_t k = 0; k < count; k++) {
         if (!isfinite(ends[k].place.x) || !isfinite(ends[k].place.y) || (ends[k].name_length > 0 && !ends[k].name)) return 0;
-        if (!text_is_utf8((const unsigned char *)ends[k].name, ends[k].name_length)) return 0;
+        if (!text_is_utf8((const unsigned char *)ends[k].name, 0, ends[k].name_length)) return 0;
     }
     return 1;
 }

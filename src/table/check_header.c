@@ -64,7 +64,7 @@ static int check_unit(const unsigned char *unit)
     for (size_t i = length; i < FORMAT_UNIT_SIZE; i++) {
         if (unit[i] != 0) return 0;
     }
-    return length < FORMAT_UNIT_SIZE && text_is_utf8(unit, length);
+    return length < FORMAT_UNIT_SIZE && text_is_utf8(unit, 0, length);
 }
 
 int check_header(const tdsp_table *table)

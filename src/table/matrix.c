@@ -3,6 +3,8 @@
  * Reading matrices: everything is checked once, from the outside in, so that each check may rely on the ones before.
  *
  *   magic, major version, lengths -> checksums -> sections inside the bytes -> places and names -> pairs, and the table of each
+ *
+ * Every place is kept inside the bytes as it is read, as in read.h: so no read leaves them even when they change afterwards, and tests/proof can see it.
  */
 #include "table/matrix.h"
 
@@ -36,11 +38,10 @@ static tdsp_status matrix_checksums(const unsigned char *bytes, size_t length, u
     return crc == bytes_get_u32(bytes + MATRIX_AT_BODY_CRC) ? TDSP_OK : TDSP_BAD_CHECKSUM;
 }
 
-/* A section of this size begins at *cursor, and the next at the multiple of 8 behind it, which is inside the bytes like *cursor itself. */
-static int matrix_take(const tdsp_matrix *view, uint64_t offset, uint64_t size, uint64_t *cursor)
+/* What begins behind `end` begins at the next multiple of 8, which is inside the bytes: *cursor becomes that. */
+static int matrix_pad(const tdsp_matrix *view, uint64_t end, uint64_t *cursor)
 {
-    if (offset != *cursor || size > view->length - offset) return 0;
-    uint64_t end = offset + size, next = (end + 7) / 8 * 8;
+    uint64_t next = (end + 7) / 8 * 8;
     if (next > view->length) return 0;
     for (uint64_t i = end; i < next; i++)
         if (view->bytes[i] != 0) return 0;
@@ -48,9 +49,22 @@ static int matrix_take(const tdsp_matrix *view, uint64_t offset, uint64_t size, 
     return 1;
 }
 
+/* `size` bytes of the matrix, at most a header's, from offset `at` on; the header's first instead of any outside. */
+static const unsigned char *matrix_at(const tdsp_matrix *matrix, uint64_t at, uint64_t size)
+{
+    return matrix->bytes + (at <= matrix->length - size ? at : 0);
+}
+
+static tdsp_point matrix_place(const tdsp_matrix *matrix, uint64_t end)
+{
+    const unsigned char *p = matrix_at(matrix, matrix->points + MATRIX_POINT_SIZE * end, MATRIX_POINT_SIZE);
+    tdsp_point place = {bytes_get_f64(p), bytes_get_f64(p + 8)};
+    return place;
+}
+
 static uint64_t matrix_name_end(const tdsp_matrix *matrix, uint64_t end)
 {
-    return bytes_get_u64(matrix->bytes + matrix->name_ends + 8 * end);
+    return bytes_get_u64(matrix_at(matrix, matrix->name_ends + 8 * end, 8));
 }
 
 /* Have the bytes room for so many pairs, so for so many ends? Only then do their sizes fit in 64 bits. */
@@ -60,44 +74,56 @@ static int matrix_counts_are_good(const tdsp_matrix *view)
     return view->destinations <= view->length / MATRIX_PAIR_SIZE / view->sources;
 }
 
+/* A section begins at *cursor, which the header says as well: *offset becomes that, and *cursor where the next begins. */
+static int matrix_section(const tdsp_matrix *view, size_t stated_at, uint64_t size, uint64_t *cursor, uint64_t *offset)
+{
+    *offset = *cursor;
+    if (bytes_get_u64(view->bytes + stated_at) != *cursor || size > view->length - *cursor) return 0;
+    return matrix_pad(view, *cursor + size, cursor);
+}
+
 /* The sections one after the other from *cursor on, which becomes where the tables begin. */
-static int matrix_sections(const tdsp_matrix *view, uint64_t *cursor)
+static int matrix_sections(tdsp_matrix *view, uint64_t *cursor)
 {
     if (!matrix_counts_are_good(view)) return 0;
     uint64_t ends = view->sources + view->destinations, pairs = MATRIX_PAIR_SIZE * view->sources * view->destinations;
-    if (!matrix_take(view, view->points, MATRIX_POINT_SIZE * ends, cursor) || !matrix_take(view, view->name_ends, 8 * ends, cursor)) return 0;
-    if (!matrix_take(view, view->names, matrix_name_end(view, ends - 1), cursor)) return 0;
-    return matrix_take(view, view->pairs, pairs, cursor) && bytes_get_u64(view->bytes + MATRIX_AT_TABLES) == *cursor;
+    if (!matrix_section(view, MATRIX_AT_POINTS, MATRIX_POINT_SIZE * ends, cursor, &view->points)) return 0;
+    if (!matrix_section(view, MATRIX_AT_NAME_ENDS, 8 * ends, cursor, &view->name_ends)) return 0;
+    if (!matrix_section(view, MATRIX_AT_NAMES, matrix_name_end(view, ends - 1), cursor, &view->names)) return 0;
+    return matrix_section(view, MATRIX_AT_PAIRS, pairs, cursor, &view->pairs) && bytes_get_u64(view->bytes + MATRIX_AT_TABLES) == *cursor;
 }
 
+/* A name lies from the names' offset on and before the pairs'; one that does not, as only changed bytes have, is empty. */
 static tdsp_matrix_end matrix_end(const tdsp_matrix *matrix, uint64_t end)
 {
-    const unsigned char *place = matrix->bytes + matrix->points + MATRIX_POINT_SIZE * end;
-    uint64_t first = end > 0 ? matrix_name_end(matrix, end - 1) : 0, last = matrix_name_end(matrix, end);
-    if (last < first || last > matrix->pairs - matrix->names) first = last = 0; /* until that was looked at, and when the bytes have changed since */
-    tdsp_matrix_end out = {{bytes_get_f64(place), bytes_get_f64(place + 8)}, (const char *)matrix->bytes + matrix->names + first,
-                           (size_t)(last - first)};
+    tdsp_matrix_end out = {matrix_place(matrix, end), NULL, 0};
+    uint64_t at = matrix->names + (end > 0 ? matrix_name_end(matrix, end - 1) : 0);
+    uint64_t next = matrix->names + matrix_name_end(matrix, end);
+    if (at < matrix->names || at > matrix->pairs) at = matrix->names;
+    if (next < at || next > matrix->pairs) next = at;
+    out.name = (const char *)matrix->bytes + at;
+    out.name_length = (size_t)(next - at);
     return out;
 }
 
-/* Names follow one another, so none ends behind the last, whose end was checked against the bytes. */
+/* Names follow one another. */
 static int matrix_ends_are_good(const tdsp_matrix *view)
 {
-    uint64_t ends = view->sources + view->destinations, before = 0;
+    uint64_t ends = view->sources + view->destinations, at = view->names;
     for (uint64_t i = 0; i < ends; i++) {
-        uint64_t end = matrix_name_end(view, i);
-        if (end < before) return 0;
-        tdsp_matrix_end at = matrix_end(view, i);
-        if (!round_is_finite(at.place.x) || !round_is_finite(at.place.y)) return 0;
-        if (!text_is_utf8((const unsigned char *)at.name, at.name_length)) return 0;
-        before = end;
+        tdsp_point place = matrix_place(view, i);
+        uint64_t next = view->names + matrix_name_end(view, i);
+        if (next < at || next > view->pairs) return 0;
+        if (!round_is_finite(place.x) || !round_is_finite(place.y)) return 0;
+        if (!text_is_utf8(view->bytes, (size_t)at, (size_t)next)) return 0;
+        at = next;
     }
     return 1;
 }
 
 static const unsigned char *matrix_pair(const tdsp_matrix *matrix, uint64_t i, uint64_t j)
 {
-    return matrix->bytes + matrix->pairs + MATRIX_PAIR_SIZE * (i * matrix->destinations + j);
+    return matrix_at(matrix, matrix->pairs + MATRIX_PAIR_SIZE * (i * matrix->destinations + j), MATRIX_PAIR_SIZE);
 }
 
 /* Does a table's header have this place at an offset? */
@@ -120,11 +146,11 @@ static int matrix_pair_is_good(const tdsp_matrix *view, uint64_t i, uint64_t j, 
     tdsp_table table;
     if (bytes_get_u32(pair + MATRIX_PAIR_AT_ZERO) != 0) return 0;
     if (status != TDSP_OK) return offset == 0 && length == 0 && matrix_is_reason(status);
-    if (!matrix_take(view, offset, length, cursor)) return 0;
+    if (offset != *cursor || length > view->length - offset || !matrix_pad(view, offset + length, cursor)) return 0;
     const unsigned char *bytes = view->bytes + offset;
     if (table_open_into(&table, bytes, (size_t)length) != TDSP_OK) return 0;
-    return names_place(bytes, FORMAT_AT_SOURCE, matrix_end(view, i).place) &&
-           names_place(bytes, FORMAT_AT_DESTINATION, matrix_end(view, view->sources + j).place);
+    return names_place(bytes, FORMAT_AT_SOURCE, matrix_place(view, i)) &&
+           names_place(bytes, FORMAT_AT_DESTINATION, matrix_place(view, view->sources + j));
 }
 
 static int matrix_pairs_are_good(const tdsp_matrix *view, uint64_t cursor)
@@ -146,10 +172,6 @@ tdsp_status tdsp_matrix_open(tdsp_matrix *matrix, const void *bytes, size_t leng
     tdsp_matrix view = {.bytes = bytes, .length = length};
     view.sources = bytes_get_u64(view.bytes + MATRIX_AT_SOURCES);
     view.destinations = bytes_get_u64(view.bytes + MATRIX_AT_DESTINATIONS);
-    view.points = bytes_get_u64(view.bytes + MATRIX_AT_POINTS);
-    view.name_ends = bytes_get_u64(view.bytes + MATRIX_AT_NAME_ENDS);
-    view.names = bytes_get_u64(view.bytes + MATRIX_AT_NAMES);
-    view.pairs = bytes_get_u64(view.bytes + MATRIX_AT_PAIRS);
     if (!matrix_sections(&view, &cursor) || !matrix_ends_are_good(&view) || !matrix_pairs_are_good(&view, cursor)) return TDSP_BAD_TABLE;
     *matrix = view;
     return TDSP_OK;
@@ -184,6 +206,7 @@ tdsp_status tdsp_matrix_table(const tdsp_matrix *matrix, uint64_t i, uint64_t j,
     uint32_t status = bytes_get_u32(pair + MATRIX_PAIR_AT_STATUS);
     if (status != TDSP_OK) return matrix_is_reason(status) ? (tdsp_status)status : TDSP_BAD_TABLE;
     uint64_t offset = bytes_get_u64(pair + MATRIX_PAIR_AT_OFFSET), length = bytes_get_u64(pair + MATRIX_PAIR_AT_LENGTH);
-    if (length > matrix->length || offset > matrix->length - length) return TDSP_BAD_TABLE; /* only when the bytes have changed */
+    if (offset > matrix->length) return TDSP_BAD_TABLE; /* this and the next only when the bytes have changed */
+    if (length > matrix->length - offset) return TDSP_BAD_TABLE;
     return tdsp_table_reopen(table, matrix->bytes + offset, (size_t)length);
 }

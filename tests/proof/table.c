@@ -103,11 +103,14 @@ static size_t told_length(void)
     return LENGTH == LONGEST ? LENGTH : (size_t)Frama_C_interval(LENGTH, LONGEST);
 }
 
-/* OPEN: tdsp_table_open or tdsp_table_reopen. */
+/* OPEN: tdsp_table_open or tdsp_table_reopen. That neither accepts what is shorter than a header is what matrix.c builds on. */
 static void open_and_ask(const unsigned char *bytes)
 {
     tdsp_table table = {0};
-    if (OPEN(&table, bytes, told_length()) == TDSP_OK) ask(&table);
+    size_t length = told_length();
+    if (OPEN(&table, bytes, length) != TDSP_OK) return;
+    /*@ assert length >= FORMAT_HEADER_LENGTH; */
+    ask(&table);
 }
 
 #if LENGTH >= FORMAT_AT_ROWS + 8

@@ -442,6 +442,34 @@ static void a_pair_that_changes_after_opening_to_wrap_around_is_refused(void **s
     assert_int_equal(tdsp_matrix_table(&matrix, 0, 0, &table), TDSP_BAD_TABLE);
 }
 
+static void a_name_that_changes_after_opening_stays_between_the_names_and_the_pairs(void **state)
+{
+    (void)state;
+    const uint64_t ends[] = {NAMES + 1, ROOM, UINT64_MAX, UINT64_MAX - ROOM};
+    edge e = edge_plain();
+    tdsp_matrix matrix;
+    tdsp_matrix_end end;
+    assert_int_equal(edge_open(&e, &matrix), TDSP_OK);
+    for (size_t i = 0; i < 4; i++) {
+        bytes_put_u64(e.bytes + e.name_ends, ends[i]); /* where the second name begins */
+        assert_int_equal(tdsp_matrix_source(&matrix, 1, &end), TDSP_OK);
+        assert_ptr_equal(end.name, e.bytes + e.names);
+        assert_int_equal(end.name_length, name_ends[1]);
+    }
+}
+
+static void an_end_that_only_an_overwritten_view_has_is_read_from_the_header(void **state)
+{
+    (void)state;
+    edge e = edge_plain();
+    tdsp_matrix_end end;
+    tdsp_matrix matrix;
+    assert_int_equal(edge_open(&e, &matrix), TDSP_OK);
+    matrix.sources = UINT64_MAX;
+    assert_int_equal(tdsp_matrix_source(&matrix, UINT64_C(1) << 40, &end), TDSP_OK);
+    assert_memory_equal(&end.place.x, e.bytes, sizeof end.place.x);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -465,6 +493,8 @@ int main(void)
         cmocka_unit_test(a_table_that_is_bad_in_itself_is_refused),
         cmocka_unit_test(a_table_leads_from_its_source_to_its_destination),
         cmocka_unit_test(a_pair_that_changes_after_opening_to_wrap_around_is_refused),
+        cmocka_unit_test(a_name_that_changes_after_opening_stays_between_the_names_and_the_pairs),
+        cmocka_unit_test(an_end_that_only_an_overwritten_view_has_is_read_from_the_header),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -105,16 +105,26 @@ def animated(file, *options, name="a.svg"):
     return Moving(name, described["source"], described["destination"]), report, described
 
 
+def expect_robot_in_place(file, departure):
+    moving, report, _ = animated(file, "--depart", departure)
+    for share in MOMENTS:
+        time = departure + share * (report["arrival"] - departure)
+        x, y = done("path", file, departure, "--at", repr(time)).rows()[0]
+        found = moving.robot(share / REST)
+        expect(math.dist(found, moving.place(float(x), float(y))) < POINT, f"{file} at {time}: {found}, not {moving.place(float(x), float(y))}")
+
+
 @test
 def the_robot_is_where_the_command_says_at_every_moment():
     for file, departure in [(scene(), 5), (scene(), 12), (SCENES / "fire-oregon-c.json", 52), (SCENES / "fires-accelerating.json", 0),
                             (SCENES / "gaps" / "settled-too-soon.json", 0)]:
-        moving, report, _ = animated(file, "--depart", departure)
-        for share in MOMENTS:
-            time = departure + share * (report["arrival"] - departure)
-            x, y = done("path", file, departure, "--at", repr(time)).rows()[0]
-            found = moving.robot(share / REST)
-            expect(math.dist(found, moving.place(float(x), float(y))) < POINT, f"{file} at {time}: {found}, not {moving.place(float(x), float(y))}")
+        expect_robot_in_place(file, departure)
+
+
+@test
+def a_spiral_that_widens_twentyfold_in_a_radian_is_drawn_as_closely():
+    """One curve for each 0.6 radians is enough of a circle only."""
+    expect_robot_in_place(scene(source=[1.02, 0], destination=[-26, 198], discs=[{"center": [0, 0], "radius": 1, "growth": 0.95}]), 0)
 
 
 @test
@@ -144,6 +154,9 @@ def a_point_that_grows_is_seen_from_the_beginning():
     moving, report, _ = animated(scene(discs=[disc]))
     for share in MOMENTS:
         expect_near(moving.radius([0, 4], share / REST), max(1.2, 0.05 * share * report["arrival"] * moving.scale), 0.012, f"radius at {share}")
+    moving, _, _ = animated(scene(discs=[{**disc, "growth": 1e-6}, {"center": [0, -4], "radius": 1, "growth": 0.1}]))
+    for share in MOMENTS:
+        expect_near(moving.radius([0, 4], share / REST), 1.2, 0.012, f"radius of what does not grow that far at {share}")
 
 
 @test

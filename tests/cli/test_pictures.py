@@ -139,6 +139,16 @@ def scenes_of_every_shape_are_drawn():
 
 
 @test
+def discs_that_are_the_same_are_drawn_once():
+    disc, small = {"center": [1, 4], "radius": 1, "growth": 0.1}, {"center": [1, 4], "radius": 0.5, "growth": 0.1}
+    dots = []
+    for discs in ([disc, small], [disc, small, disc, disc]):
+        done("plot", scene(discs=discs), "-o", "a.svg")
+        dots.append(pathlib.Path("a.svg").read_text().count("h0"))
+    expect_equal(dots[0], dots[1], "dots")
+
+
+@test
 def ticks_where_adding_one_changes_nothing_come_to_an_end():
     """A departure of 1e17 takes steps of 16: counting ticks by adding 1 to 5e16 never ended. So did axes far from the origin."""
     nothing = scene(discs=[])

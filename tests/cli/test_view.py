@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import shutil
+import socket
 import stat
 import time
 
@@ -110,7 +111,7 @@ def no_page_or_another_one_is_told():
     fails(3, ["page: cut short"], "view", "scene.json", "-o", "a.html")
     os.environ["TDSP_PAGE"] = "nowhere.html"
     fails(4, ["nowhere.html"], "view", "scene.json", "-o", "a.html")
-    del os.environ["TDSP_PAGE"]
+    os.environ["TDSP_PAGE"] = ""  # as if it were not there
     os.makedirs("prefix/bin")
     command, harness.TDSP = harness.TDSP, shutil.copy(harness.TDSP, "prefix/bin/tdsp")
     try:
@@ -131,6 +132,9 @@ def without_a_display_it_says_how_to_open_it():
     result = done("view", scene(), "-o", "a.html", "--json")
     expect_equal(result.json, {"file": "a.html", "of": "scene", "opened": False})
     expect("no display" in result.err and "open a.html in a browser" in result.err, result)
+    os.environ["DISPLAY"] = os.environ["WAYLAND_DISPLAY"] = ""
+    expect_equal(done("view", "scene.json", "-o", "a.html", "--json").err, result.err, "displays without a name")
+    expect_equal(done("view", built(), "-o", "a.html", "--json").json, {"file": "a.html", "of": "table", "opened": False})
 
 
 def desktop(program):
@@ -179,6 +183,23 @@ def a_desktop_that_cannot_open_it_is_no_failure():
     result = done("view", scene(), "-o", "a.html", "--json")
     expect_equal(result.json["opened"], False)
     expect("cannot open it" in result.err and "open a.html in a browser" in result.err, result)
+    del os.environ["DISPLAY"]
+    os.environ["WAYLAND_DISPLAY"] = "wayland-7"
+    expect_equal(done("view", "scene.json", "-o", "a.html", "--json").err, result.err, "by Wayland")
+
+
+@test
+def a_desktop_whose_bus_never_answers_is_not_waited_for():
+    """Connecting to the bus waited for ever, before there was anything that could be given up."""
+    page()
+    desktop("/nowhere/browser")
+    with socket.socket(socket.AF_UNIX) as bus:
+        bus.bind("bus")
+        bus.listen()
+        os.environ.update(DBUS_SESSION_BUS_ADDRESS="unix:path=" + os.path.abspath("bus"), GTK_USE_PORTAL="1")
+        result = done("view", scene(), "-o", "a.html", "--json", timeout=60)
+    expect_equal(result.json["opened"], False)
+    expect("does not answer" in result.err and "open a.html in a browser" in result.err, result)
 
 
 main()

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The desktop may be asked over a bus that never answers, so it has a few seconds. */
+/*
+ * The desktop may be asked over a bus that never answers, so it has a few seconds. GLib connects to the bus before it returns, whichever function is called, so
+ * a thread asks, which is left behind when it hangs: the command ends soon after.
+ */
 #include "opener.h"
 
 #include <fcntl.h>
@@ -40,49 +43,64 @@ static void restore(const int saved[3])
     }
 }
 
+/* A question to the desktop, kept by who asks and who waits: either may be the last. */
 typedef struct Opening {
-    GMainLoop *loop;
-    gboolean opened, timed_out;
+    char *uri;
+    GMutex lock;
+    GCond answered;
+    gboolean done, opened;
     GError *wrong;
 } Opening;
 
-static void opened(GObject *source, GAsyncResult *result, gpointer data)
-{
-    (void)source;
-    Opening *opening = data;
-    opening->opened = g_app_info_launch_default_for_uri_finish(result, &opening->wrong);
-    g_main_loop_quit(opening->loop);
-}
-
-/* Nothing is called any more once the loop has ended, so what a later answer would be written to may go. */
-static gboolean give_up(gpointer data)
+static void opening_clear(gpointer data)
 {
     Opening *opening = data;
-    opening->timed_out = TRUE;
-    g_main_loop_quit(opening->loop);
-    return G_SOURCE_REMOVE;
+    g_free(opening->uri);
+    g_mutex_clear(&opening->lock);
+    g_cond_clear(&opening->answered);
+    g_clear_error(&opening->wrong);
 }
 
-static void wait_for(Opening *opening, const char *uri)
+static gpointer ask(gpointer data)
 {
-    int saved[3];
-    opening->loop = g_main_loop_new(NULL, FALSE);
-    guint timer = g_timeout_add_seconds(PATIENCE, give_up, opening);
-    redirect(saved);
-    g_app_info_launch_default_for_uri_async(uri, NULL, NULL, opened, opening);
-    g_main_loop_run(opening->loop);
-    restore(saved);
-    if (!opening->timed_out) g_source_remove(timer);
-    g_main_loop_unref(opening->loop);
+    Opening *opening = data;
+    GError *wrong = NULL;
+    gboolean opened = g_app_info_launch_default_for_uri(opening->uri, NULL, &wrong);
+    g_mutex_lock(&opening->lock);
+    opening->opened = opened;
+    opening->wrong = wrong;
+    opening->done = TRUE;
+    g_cond_signal(&opening->answered);
+    g_mutex_unlock(&opening->lock);
+    g_atomic_rc_box_release_full(opening, opening_clear);
+    return NULL;
+}
+
+/* Has it answered in time? */
+static gboolean wait_for(Opening *opening)
+{
+    gint64 end = g_get_monotonic_time() + PATIENCE * G_TIME_SPAN_SECOND;
+    g_mutex_lock(&opening->lock);
+    while (!opening->done && g_cond_wait_until(&opening->answered, &opening->lock, end)) continue;
+    gboolean done = opening->done;
+    g_mutex_unlock(&opening->lock);
+    return done;
 }
 
 gboolean opener_open(const char *path, GError **error)
 {
     g_autoptr(GFile) file = g_file_new_for_path(path);
-    g_autofree char *uri = g_file_get_uri(file);
-    Opening opening = {0};
-    wait_for(&opening, uri);
-    if (opening.timed_out) return cli_fail(error, CLI_SYSTEM, "the desktop does not answer");
-    if (!opening.opened) g_propagate_error(error, opening.wrong);
-    return opening.opened;
+    Opening *opening = g_atomic_rc_box_new0(Opening);
+    int saved[3];
+    opening->uri = g_file_get_uri(file);
+    g_mutex_init(&opening->lock);
+    g_cond_init(&opening->answered);
+    redirect(saved);
+    g_thread_unref(g_thread_new("opener", ask, g_atomic_rc_box_acquire(opening)));
+    gboolean done = wait_for(opening), opened = done && opening->opened;
+    restore(saved);
+    if (!done) cli_fail(error, CLI_SYSTEM, "the desktop does not answer");
+    if (done && !opened) g_propagate_error(error, g_steal_pointer(&opening->wrong));
+    g_atomic_rc_box_release_full(opening, opening_clear);
+    return opened;
 }

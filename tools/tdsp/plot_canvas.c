@@ -57,6 +57,7 @@ Canvas *canvas_new(const char *path, double width, double height, const Timeline
     *canvas = (Canvas){.backend = png ? &backend_png : &backend_svg, .path = g_strdup(path), .width = width, .height = height, .moves = timeline != NULL};
     if (timeline) canvas->timeline = *timeline;
     canvas->pieces = g_array_new(FALSE, FALSE, sizeof(Piece));
+    canvas->description = g_strdup("");
     make_surface(canvas, png);
     cairo_status_t status = cairo_status(canvas->cr);
     if (status != CAIRO_STATUS_SUCCESS) {
@@ -227,7 +228,7 @@ void canvas_text_within(Canvas *canvas, double x, double y, double width, const 
 void canvas_text_upwards(Canvas *canvas, double x, double y, const TextStyle *style, const char *text)
 {
     g_autofree char *shown = printable(text);
-    double width = style->across > 0 ? canvas_text_width(canvas, style, shown) : 0;
+    double width = canvas_text_width(canvas, style, shown);
     canvas->backend->words(canvas, &(Words){x + style->up * DIGIT_HEIGHT * style->size, y + style->across * width, TRUE, style, shown});
 }
 

@@ -191,10 +191,9 @@ static void unclip(Canvas *canvas)
 
 /* ------------------------------------------------------------------------------------------------------------- moving */
 
-/* The keys of a round: from its very beginning to its very end. */
+/* The keys of a round: from its very beginning to its very end, for it ends with a rest. */
 typedef struct Round {
     GString *shares, *values;
-    double last; /* share */
 } Round;
 
 static void append_value(GString *out, Property property, double value)
@@ -213,15 +212,14 @@ static void round_add(Round *round, Property property, double share, double valu
     append_number(round->shares, share, 6);
     g_string_append(round->values, between);
     append_value(round->values, property, value);
-    round->last = share;
 }
 
 static Round round_of(const Timeline *timeline, Property property, const Key *keys, gsize count)
 {
-    Round round = {g_string_new(NULL), g_string_new(NULL), 0};
+    Round round = {g_string_new(NULL), g_string_new(NULL)};
     if (timeline_share(timeline, keys[0].time) > 0) round_add(&round, property, 0, keys[0].value);
     for (gsize i = 0; i < count; i++) round_add(&round, property, timeline_share(timeline, keys[i].time), keys[i].value);
-    if (round.last < 1) round_add(&round, property, 1, keys[count - 1].value);
+    round_add(&round, property, 1, keys[count - 1].value);
     return round;
 }
 
@@ -309,7 +307,7 @@ static void append_head(GString *out, const Canvas *canvas)
     g_string_append_c(out, ' ');
     append_number(out, canvas->height, 2);
     g_string_append(out, "\" role=\"img\" fill=\"none\" font-family=\"" FONTS "\">\n<title>");
-    append_escaped(out, canvas->description ? canvas->description : "");
+    append_escaped(out, canvas->description);
     g_string_append(out, "</title>\n");
     if (canvas->moves) g_string_append(out, layers);
     g_string_append(out, "<rect width=\"100%\" height=\"100%\"");

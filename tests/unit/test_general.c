@@ -205,6 +205,19 @@ static void the_latest_departure_is_told_up_to_the_moment_a_disc_shrinks(void **
     drop(&w);
 }
 
+/* Whoever leaves for good leaves when the second has stopped, and nobody knows what the first is by then. */
+static void no_latest_departure_is_told_where_a_disc_grows_on_after_another_shrinks(void **state)
+{
+    (void)state;
+    static const double times[2] = {0.0, 10.0}, rates[2] = {0.1, 0.0};
+    const tdsp_growing_disc discs[2] = {sinking_disc(0.0, 0.0), of_rates(0.0, 50.0, 1.0, times, rates, 2)};
+    world w = open_growing(&brisk, discs, 2);
+    tdsp_last_departure last;
+    assert_int_equal(latest_of(w.solver, INFINITY).status, TDSP_SHRINKS);
+    assert_int_equal(tdsp_solver_last_departure(w.solver, &last), TDSP_SHRINKS);
+    drop(&w);
+}
+
 /* The cover of an end ends the departures before anything shrinks: no departure before that asks more of the disc. */
 static void what_ends_the_departures_before_a_disc_shrinks_is_told(void **state)
 {
@@ -435,6 +448,7 @@ int main(void)
         cmocka_unit_test(the_general_method_agrees_with_the_others),
         cmocka_unit_test(answers_up_to_the_moment_a_disc_shrinks_are_those_of_a_disc_that_stays),
         cmocka_unit_test(the_latest_departure_is_told_up_to_the_moment_a_disc_shrinks),
+        cmocka_unit_test(no_latest_departure_is_told_where_a_disc_grows_on_after_another_shrinks),
         cmocka_unit_test(what_ends_the_departures_before_a_disc_shrinks_is_told),
         cmocka_unit_test(the_last_robot_through_a_gap_meets_its_corner_where_that_has_slowed_down),
         cmocka_unit_test(discs_that_stop_growing_never_end_the_departures),

@@ -214,6 +214,7 @@ static tdsp_status run(growth_solver *self, const growth_question *question, dou
     return growth_run(&self->engine, &ask);
 }
 
+/* Where there is no way among fewer discs there is none among all; but backwards in time nobody waits until the source is free, and among fewer a way may be too short for that. */
 static tdsp_status ask(growth_solver *self, const growth_question *question)
 {
     growth_engine *engine = &self->engine;
@@ -222,6 +223,7 @@ static tdsp_status ask(growth_solver *self, const growth_question *question)
     for (int round = 0; engine->shape_count > SMALL && round < ROUNDS && engine->member_count * LARGE_SHARE < engine->shape_count; ++round) {
         ++self->rounds;
         tdsp_status status = run(self, question, known);
+        if (status == TDSP_OK && engine->arrived == GROWTH_NONE && question->sign < 0.0) break;
         if (status != TDSP_OK || engine->arrived == GROWTH_NONE || path_mend(self) == 0) return status;
         known = engine->legs[engine->arrived].arrive;
     }

@@ -141,26 +141,15 @@ static tdsp_status walled_in(tdsp_solver *solver, double departure, int *enclose
     return status;
 }
 
-/* A question backwards in time from the destination as it is covered. */
-typedef struct cover_question {
-    tdsp_solver *solver;
-    tdsp_solver_work before; /* the counters when it came in */
-    double departure;        /* of the answer, in the frame */
-} cover_question;
-
-static tdsp_status ask_from_cover(void *ctx, const disc_set *set)
-{
-    cover_question *self = ctx;
-    tdsp_solver *solver = self->solver;
-    const engine_question question = solver_reverse_question(solver, solver->ends.destination_cover.time / solver->scene->time, 0.0);
-    solver->work = self->before;
-    return solver_reverse(solver, set, &question, &self->departure);
-}
-
-/* The latest departure whose path arrives in the moment of the destination's cover; negative where there is none, or that moment is not known. */
+/*
+ * The latest departure whose path arrives in the moment of the destination's cover; negative where there is none, or that moment is not known. This is asked among all discs at
+ * once: backwards in time nobody waits until the source is free again, and among fewer discs a way may be too short for that.
+ */
 static tdsp_status latest_to_cover(tdsp_solver *solver, double *departure)
 {
     const double covered = solver->ends.destination_cover.time;
+    const disc_set *all = &solver->scene->all;
+    int lost;
     *departure = -1.0;
     if (!(covered > 0.0) || isinf(covered / solver->scene->time) || solver_is_far(solver, covered)) return TDSP_OK;
     if (solver->growth) {
@@ -168,9 +157,10 @@ static tdsp_status latest_to_cover(tdsp_solver *solver, double *departure)
         ++solver->work.reverse_searches;
         return growth_departure(solver->growth, &solver->ends, covered, departure);
     }
-    cover_question question = {solver, solver->work, -1.0};
-    tdsp_status status = relax_run(&solver->relaxation, &solver->engine, ask_from_cover, &question);
-    if (question.departure >= 0.0) *departure = question.departure * solver->scene->time;
+    engine_question question = solver_reverse_question(solver, covered / solver->scene->time, 0.0);
+    tdsp_status status = engine_scout(&solver->engine, &question, &lost);
+    if (status == TDSP_OK) status = solver_reverse(solver, all, &question, departure);
+    if (*departure >= 0.0) *departure *= solver->scene->time;
     return status;
 }
 

@@ -3,6 +3,7 @@
 #include "support/cmocka_all.h"
 
 #include "search/solver.h"
+#include "support/random_scene.h"
 #include "support/world.h"
 #include "tdsp/growth.h"
 
@@ -102,12 +103,55 @@ static void a_gap_that_closes_cuts_off_also_where_the_destination_is_covered_soo
     world_free(w);
 }
 
+enum { NEAR = 20, FAR = 80, SEEDS = 8, ASKED = 12 };
+
+static tdsp_status status_at(tdsp_solver *solver, double departure)
+{
+    double arrival;
+    return tdsp_earliest_arrival(solver, departure, &arrival);
+}
+
+/* The same scene with discs far away that matter to nobody, so many that few are asked first. */
+static void add_far_discs(tdsp_disc *discs, const tdsp_journey *journey)
+{
+    const double unit = point_distance(journey->source, journey->destination);
+    for (int i = 0; i < FAR; ++i)
+        discs[NEAR + i] = (tdsp_disc){{journey->source.x + unit * (1000.0 + i), journey->source.y + unit * (500.0 - 7.0 * i)}, 0.1 * unit, 0.0};
+}
+
+/*
+ * The latest departure that arrives as the destination is covered was asked for among a part of the discs first. Backwards in time nobody waits until the source is free: among fewer
+ * discs there may be no such departure although there is one among all.
+ */
+static void discs_far_away_change_no_reason_by_the_general_method(void **state)
+{
+    (void)state;
+    for (int mix = 0; mix < RANDOM_MIX_COUNT; ++mix) {
+        if (mix == RANDOM_FAR_ORIGIN || mix == RANDOM_ON_SOURCE || mix == RANDOM_ON_DESTINATION || mix == RANDOM_TOUCHING) continue; /* a larger extent rounds them otherwise */
+        for (uint64_t seed = 0; seed < SEEDS; ++seed) {
+            tdsp_disc discs[NEAR + FAR];
+            tdsp_journey journey;
+            random_scene(seed, (random_mix)mix, NEAR, &journey, discs);
+            add_far_discs(discs, &journey);
+            world few = world_make(journey, discs, NEAR), many = world_make(journey, discs, NEAR + FAR);
+            tdsp_solver *solver;
+            const double end = math_min(tdsp_scene_source_free_until(few.scene, NULL), 2.0 * few.unit);
+            assert_int_equal(tdsp_solver_create_for(many.scene, TDSP_METHOD_GENERAL, &solver), TDSP_OK);
+            for (int k = 1; k < ASKED; ++k) assert_int_equal(status_at(solver, end * k / ASKED), status_at(few.solver, end * k / ASKED));
+            tdsp_solver_free(solver);
+            world_free(few);
+            world_free(many);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_cover_ends_the_departures_also_where_its_disc_meets_who_is_late_before_the_destination),
         cmocka_unit_test(the_cover_ends_the_departures_also_where_its_disc_overtakes_who_is_late),
         cmocka_unit_test(the_cover_ends_the_departures_also_where_who_is_late_flies_past),
+        cmocka_unit_test(discs_far_away_change_no_reason_by_the_general_method),
         cmocka_unit_test(a_gap_that_closes_cuts_off_also_where_the_destination_is_covered_soon_after),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,12 +7,12 @@ set -euo pipefail
 
 architecture=$1
 folder=$2
-# CMocka for the tests; GLib, json-glib and cairo for the command; and what these need.
-packages=(libcmocka0 libcmocka-dev libglib2.0-0 libglib2.0-dev libffi8 libpcre2-8-0 zlib1g libmount1 libblkid1 libselinux1 libjson-glib-1.0-0 libjson-glib-dev
+# The locale of UTF-8, which depends on the order of bytes; CMocka for the tests; GLib, json-glib and cairo for the command; and what these need.
+packages=(libc-bin libcmocka0 libcmocka-dev libglib2.0-0 libglib2.0-dev libffi8 libpcre2-8-0 zlib1g libmount1 libblkid1 libselinux1 libjson-glib-1.0-0 libjson-glib-dev
     libcairo2 libcairo2-dev libfontconfig1 libfreetype6 libpixman-1-0 libpng16-16 libx11-6 libxcb1 libxcb-render0 libxcb-shm0 libxext6 libxrender1 libxau6
     libxdmcp6 libbsd0 libmd0 libexpat1 libbrotli1 libuuid1)
 
-[ -e "$folder/done" ] && exit 0
+[ "$(cat "$folder/done" 2>/dev/null)" = "${packages[*]}" ] && exit 0
 rm -rf "$folder"
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial"
 cd "$folder"
@@ -26,4 +26,4 @@ rm -rf apt/archives apt/lists
 # One place for all libraries, as the linker and the emulator look for them.
 mkdir -p lib
 for library in usr/lib/*-linux-gnu*/*.so* lib/*-linux-gnu*/*.so*; do [ -e "$library" ] || [ -L "$library" ] || continue; cp -P "$library" lib/ 2>/dev/null || true; done
-touch done
+echo "${packages[*]}" >done

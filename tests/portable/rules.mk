@@ -33,7 +33,7 @@ endif
 portable_make = $(MAKE) --no-print-directory -s -k BUILD=$(PORTABLE)/$(1) CHECK=$(PORTABLE)/check VARIANT=$(1) CC=$(triple_$(1))-gcc AR=$(triple_$(1))-ar \
   TOOL_CPPFLAGS='$(POSIX) $(patsubst %,-isystem $(call packages_of,$(1))/usr/%,include include/glib-2.0 lib/$(triple_$(1))/glib-2.0/include include/json-glib-1.0 include/cairo)' \
   TOOL_LIBS='-lgio-2.0 -lgobject-2.0 -ljson-glib-1.0 -lglib-2.0 -lcairo -lm' LDFLAGS='-L$(call packages_of,$(1))/lib -Wl,-rpath-link,$(call packages_of,$(1))/lib' \
-  EMULATOR='$(emulator_$(1)) -L /usr/$(triple_$(1)) -E LD_LIBRARY_PATH=$(call packages_of,$(1))/lib'
+  EMULATOR='$(emulator_$(1)) -L /usr/$(triple_$(1)) -E LD_LIBRARY_PATH=$(call packages_of,$(1))/lib -E LOCPATH=$(call packages_of,$(1))/usr/lib/locale'
 
 .PHONY: portable portable-run
 portable: ## run the tests on aarch64, s390x and armhf, emulated, and read their tables here (MACHINES="...")

@@ -90,7 +90,7 @@ static void a_gap_that_closes_cuts_off_also_where_the_destination_is_covered_soo
     const tdsp_journey journey = {1.0, 0.0, {-10.0, 0.0}, {10.0, 0.0}};
     tdsp_disc discs[RING];
     for (int i = 1; i < RING; ++i) {
-        const double angle = i * GEOM_TURN / RING;
+        const double angle = i * GEOM_TURN / (double)RING;
         discs[i] = (tdsp_disc){{10.0 + 4.0 * cos(angle), 4.0 * sin(angle)}, 0.7, i == 1 || i == RING - 1 ? 0.005 : 0.0};
     }
     discs[0] = (tdsp_disc){{10.0, 1.5}, 0.5, 1.0 / 72.0};
@@ -137,7 +137,7 @@ static void discs_far_away_change_no_reason_by_the_general_method(void **state)
             tdsp_solver *solver;
             const double end = math_min(tdsp_scene_source_free_until(few.scene, NULL), 2.0 * few.unit);
             assert_int_equal(tdsp_solver_create_for(many.scene, TDSP_METHOD_GENERAL, &solver), TDSP_OK);
-            for (int k = 1; k < ASKED; ++k) assert_int_equal(status_at(solver, end * k / ASKED), status_at(few.solver, end * k / ASKED));
+            for (int k = 1; k < ASKED; ++k) assert_int_equal(status_at(solver, end * k / (double)ASKED), status_at(few.solver, end * k / (double)ASKED));
             tdsp_solver_free(solver);
             world_free(few);
             world_free(many);

@@ -69,7 +69,7 @@ export function lengthAxis(name, unit, range) {
 }
 
 /** @param {Axis} axis */
-export function axisTitle(axis) {
+function axisTitle(axis) {
     return axis.unit ? `${axis.name} (${axis.unit})` : axis.name;
 }
 

@@ -199,22 +199,3 @@ export function curveWindow(curve, last, mode, rows) {
     if (!(range > 1e-9 * Math.abs(high))) return { xLow, xHigh, yLow: high > 0 ? 0.9 * low : low - 1, yHigh: high > 0 ? 1.1 * high : high + 1 };
     return { xLow, xHigh, yLow: low > 0 ? Math.max(low - 0.08 * range, 0) : -0.08 * range, yHigh: high + above * range };
 }
-
-/**
- * Departures worth asking for: evenly over all of them, and right before and after each jump.
- * @param {number} until the last one
- * @param {number} count
- * @param {Jump[]} [jumps]
- * @returns {Float64Array}
- */
-export function sampleTimes(until, count, jumps = []) {
-    const times = new Set();
-    for (let i = 0; i < count; i++) times.add((until * i) / (count - 1));
-    for (const { departure } of jumps) if (departure <= until) times.add(departure);
-    return Float64Array.from(times).sort();
-}
-
-/** The units of a window's picture: how many departures one pixel is, for keys that move the slider. */
-export function departuresPerPixel(frame) {
-    return (frame.xHigh - frame.xLow) / frame.width;
-}

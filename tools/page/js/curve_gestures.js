@@ -21,14 +21,8 @@ export class CurveGestures {
         this.to = intentions;
         this.held = null;
         this.pointer = -1;
-        this.listeners = new AbortController();
-        const { signal } = this.listeners;
-        for (const kind of ["down", "move", "up", "cancel", "leave"]) element.addEventListener(`pointer${kind}`, (event) => this[kind](event), { signal });
+        for (const kind of ["down", "move", "up", "cancel", "leave"]) element.addEventListener(`pointer${kind}`, (event) => this[kind](event));
         element.style.touchAction = "pan-y pinch-zoom";
-    }
-
-    release() {
-        this.listeners.abort();
     }
 
     /** @param {PointerEvent} event */

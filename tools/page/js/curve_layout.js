@@ -22,18 +22,6 @@ const MOST_LABELS = 12;
 const MOST_STEPS = 2000; // of a table; in more there is no room between them
 const LAST_ROOM = 20; // pixels right of the last departure
 
-/** @type {Record<string, string>} */
-const REASONS = {
-    source_covered: "the source is covered",
-    destination_covered: "the destination is covered before it can be reached",
-    cut_off: "every way is cut off",
-};
-
-/** Why departures end, in some words; empty where the reason is not of the scene. @param {string|undefined} reason */
-export function reasonWords(reason) {
-    return (reason && REASONS[reason]) ?? "";
-}
-
 /** @param {CurveState} state */
 export function legendOf(state) {
     const items = [];
@@ -69,7 +57,7 @@ export function arrangeCurve(state, width, height, measure) {
     const draft = { ...state.window, left: 50, top, width: width - 64, height: Math.max(40, height - 80) };
     const room = axesRoom(frameTicks(draft, axes.x, axes.y, measure), true);
     const left = titled ? room.left : room.left - 20;
-    const legend = state.legend ? placeLegend(legendOf(state), width - left - right, measure) : { items: [], height: 0 };
+    const legend = placeLegend(legendOf(state), width - left - right, measure);
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
     const frame = withRoom(state, { ...state.window, left, top, width: Math.max(20, width - left - right), height: Math.max(20, height - top - below - 4) });
     // A window of nothing has no numbers.
@@ -130,8 +118,7 @@ function placeJumps(state, frame, labels) {
 /** What may be written along the line of the last departure, the longest first. @param {CurveState} state @returns {string[]} */
 function lastTexts({ last, units }) {
     if (last.reason === "horizon") return ["horizon"];
-    const why = reasonWords(last.reason), moment = withUnit(last.departure, units.time, 6);
-    return [...(why ? [`last departure ${moment}: then ${why}`] : []), `last departure ${moment}`, "last departure"];
+    return [`last departure ${withUnit(last.departure, units.time, 6)}`, "last departure"];
 }
 
 /** The line of the last departure, and the longest words that fit along it, right of it, where there is no curve. @param {CurveState} state @param {Labels} labels @param {Pen["width"]} measure */

@@ -35,11 +35,9 @@ import { withUnit } from "tdsp/numbers.js";
  * @property {ReturnType<typeof import("tdsp/curve_data.js").curveWindow>} window
  * @property {import("tdsp/palette.js").Palette} palette
  * @property {string} message where there is no curve: why
- * @property {boolean} legend
  * @property {number} head pixels kept free above, for a title
  * @property {boolean} still a picture without a slider
  * @property {boolean} grabbed the slider is held
- * @property {boolean} focused the slider has the keyboard
  */
 
 const FINE = 0.2; // pixels that need not be told apart
@@ -352,10 +350,6 @@ function drawKnob(pen, state, frame) {
         pen.line(x + dx, y + 3.5);
     }
     pen.stroke(palette.paper, 1.2);
-    if (!state.focused) return;
-    pen.begin();
-    pen.disc(x, y, KNOB + 5);
-    pen.stroke(palette.focus, 2);
 }
 
 /** What moves. @param {Pen} pen @param {CurveState} state @param {CurveArrangement} arrangement @param {CurveLayout} layout */

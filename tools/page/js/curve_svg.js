@@ -14,7 +14,7 @@ export function blankCurve(palette) {
     const curve = curveOf(null, [], null);
     return {
         curve, stored: false, sampled: false, rows: null, jumps: [], bends: [], last: null, travel: () => NaN, departure: null, hover: null, deadline: null, leaveBy: null, mode: "travel", units: { time: "" },
-        window: curveWindow(curve, null, "travel", null), palette, message: "", legend: true, head: 0, still: false, grabbed: false, focused: false,
+        window: curveWindow(curve, null, "travel", null), palette, message: "", head: 0, still: false, grabbed: false,
     };
 }
 

@@ -32,8 +32,6 @@ import { light } from "tdsp/palette.js";
  * @property {{time?: string}} units
  * @property {string} message what to say where there is no curve
  * @property {Palette} palette
- * @property {boolean} legend below the window (default: shown)
- * @property {boolean} focused the slider has the keyboard
  */
 
 /**
@@ -48,7 +46,7 @@ const REACH = 8; // pixels around the deadline
 const REACH_TOUCH = 22;
 const BELOW = 24; // pixels under the window where the slider's knob can be held
 const SNAP = 4; // pixels from a jump that mean its departure, the last one that gets through
-const LIVE = ["departure", "hover", "focused"];
+const LIVE = ["departure", "hover"];
 
 /** The view of a curve: {@link CurveShown}, {@link CurveOptions}. */
 export class CurveView {
@@ -56,14 +54,12 @@ export class CurveView {
     constructor(canvas, options = {}) {
         this.options = options;
         this.canvas = canvas;
-        /** How long the last frame took to draw, in ms. */
-        this.lastFrameMs = 0;
         this.given = { samples: null, evaluate: null, leaveBy: null };
         this.state = blankCurve(options.palette ?? light);
         this.dirty = { ground: true, live: true };
         this.layers = new Layers(canvas, () => this.draw());
         this.measure = this.layers.pen.width.bind(this.layers.pen);
-        this.gestures = new CurveGestures(canvas, this.intentions());
+        new CurveGestures(canvas, this.intentions());
     }
 
     /**
@@ -73,7 +69,7 @@ export class CurveView {
     show(shown) {
         const { state, given } = this;
         for (const key of ["samples", "evaluate", "leaveBy"]) if (shown[key] !== undefined) given[key] = shown[key];
-        for (const key of ["departure", "hover", "deadline", "last", "message", "palette", "legend", "focused", "mode"]) if (shown[key] !== undefined) state[key] = shown[key];
+        for (const key of ["departure", "hover", "deadline", "last", "message", "palette", "mode"]) if (shown[key] !== undefined) state[key] = shown[key];
         if (shown.jumps !== undefined) {
             state.jumps = shown.jumps ?? [];
             state.sampled = shown.jumps === null;
@@ -103,7 +99,7 @@ export class CurveView {
 
     /** Draw now, if anything has changed since the last time. */
     draw() {
-        const began = performance.now(), { layers, state, dirty } = this;
+        const { layers, state, dirty } = this;
         if (layers.fitSize()) dirty.ground = true;
         if (layers.width === 0 || !(dirty.ground || dirty.live)) return;
         if (dirty.ground) {
@@ -113,13 +109,6 @@ export class CurveView {
         }
         drawCurveLive(layers.copyKept(), state, this.arrangement, this.layout);
         dirty.ground = dirty.live = false;
-        this.lastFrameMs = performance.now() - began;
-    }
-
-    /** How many departures one pixel is: keys move the slider by multiples of it. */
-    get pixel() {
-        const frame = this.arrangement?.frame;
-        return frame ? (frame.xHigh - frame.xLow) / frame.width : 0;
     }
 
     /** The last departure that is shown: where the slider ends. */
@@ -133,12 +122,6 @@ export class CurveView {
      */
     toSVG(page = {}) {
         return curveSvg(this.state, { ...page, width: page.width ?? this.layers.width, height: page.height ?? this.layers.height }, this.measure);
-    }
-
-    /** No longer of use: stop listening. */
-    release() {
-        this.gestures.release();
-        this.layers.release();
     }
 
     /** @returns {import("tdsp/curve_gestures.js").CurveIntentions} */
@@ -170,7 +153,11 @@ export class CurveView {
     /** The departure at a pixel; near a jump its own. */
     departureAt(x) {
         const { frame } = this.arrangement, { jumps } = this.state;
-        for (const { departure } of jumps) if (Math.abs(frameX(frame, departure) - x) < SNAP && jumps.length < 200) return departure;
+        const away = (jump) => Math.abs(frameX(frame, jump.departure) - x);
+        if (jumps.length > 0 && jumps.length < 200) {
+            const nearest = jumps.reduce((best, jump) => (away(jump) < away(best) ? jump : best));
+            if (away(nearest) < SNAP) return nearest.departure;
+        }
         const departure = frame.xLow + ((x - frame.left) / frame.width) * (frame.xHigh - frame.xLow);
         return Math.min(this.until, Math.max(0, departure));
     }

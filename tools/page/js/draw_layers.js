@@ -75,9 +75,4 @@ export class Layers {
         context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
         return this.pen;
     }
-
-    release() {
-        this.observer.disconnect();
-        cancelAnimationFrame(this.frame);
-    }
 }

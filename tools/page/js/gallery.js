@@ -9,36 +9,36 @@ import { drawThumbnail } from "tdsp/thumbnail.js";
  */
 
 export class Gallery {
-  /** @param {Entry[]} entries @param {any} core @param {(entry: Entry) => void} open */
-  constructor(entries, core, open) {
-    this.entries = entries;
-    this.core = core;
-    /** @type {any[]} canvases */
-    this.pictures = entries.map(() => element("canvas", { width: 240, height: 120, "aria-hidden": "true" }));
-    this.buttons = entries.map((entry, i) => element("button", { type: "button", onclick: () => open(entry) }, [this.pictures[i], element("span", { textContent: entry.title })]));
-    byId("gallery").replaceChildren(...this.buttons.map((button) => element("li", {}, [button])));
-  }
-
-  /** @param {string} id @returns {Entry|undefined} */
-  find(id) {
-    return this.entries.find((entry) => entry.id === id);
-  }
-
-  /** Mark the scene that is shown. @param {string|null} id */
-  mark(id) {
-    this.entries.forEach((entry, i) => {
-      if (entry.id === id) this.buttons[i].setAttribute("aria-current", "true");
-      else this.buttons[i].removeAttribute("aria-current");
-    });
-  }
-
-  /** Draw all pictures, one a turn, so that nobody waits for them. @param {any} palette */
-  async paint(palette) {
-    const turn = (this.turn = Symbol());
-    for (const [i, entry] of this.entries.entries()) {
-      await new Promise((resolve) => setTimeout(resolve, 0));
-      if (this.turn !== turn) return;
-      drawThumbnail(this.pictures[i], this.core, entry, palette);
+    /** @param {Entry[]} entries @param {any} core @param {(entry: Entry) => void} open */
+    constructor(entries, core, open) {
+        this.entries = entries;
+        this.core = core;
+        /** @type {any[]} canvases */
+        this.pictures = entries.map(() => element("canvas", { width: 240, height: 120, "aria-hidden": "true" }));
+        this.buttons = entries.map((entry, i) => element("button", { type: "button", onclick: () => open(entry) }, [this.pictures[i], element("span", { textContent: entry.title })]));
+        byId("gallery").replaceChildren(...this.buttons.map((button) => element("li", {}, [button])));
     }
-  }
+
+    /** @param {string} id @returns {Entry|undefined} */
+    find(id) {
+        return this.entries.find((entry) => entry.id === id);
+    }
+
+    /** Mark the scene that is shown. @param {string|null} id */
+    mark(id) {
+        this.entries.forEach((entry, i) => {
+            if (entry.id === id) this.buttons[i].setAttribute("aria-current", "true");
+            else this.buttons[i].removeAttribute("aria-current");
+        });
+    }
+
+    /** Draw all pictures, one a turn, so that nobody waits for them. @param {any} palette */
+    async paint(palette) {
+        const turn = (this.turn = Symbol());
+        for (const [i, entry] of this.entries.entries()) {
+            await new Promise((resolve) => setTimeout(resolve, 0));
+            if (this.turn !== turn) return;
+            drawThumbnail(this.pictures[i], this.core, entry, palette);
+        }
+    }
 }

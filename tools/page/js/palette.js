@@ -84,7 +84,7 @@ function linear(part) {
 }
 
 /** Relative luminance by WCAG 2. @param {string} colour "#rrggbb" */
-export function luminance(colour) {
+function luminance(colour) {
     const value = parseInt(colour.slice(1), 16);
     return 0.2126 * linear(value >> 16) + 0.7152 * linear((value >> 8) & 255) + 0.0722 * linear(value & 255);
 }

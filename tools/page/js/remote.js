@@ -5,9 +5,7 @@
  *
  * Where no worker can be started the job runs on the main thread: the page stands still meanwhile, and only a signal that was given before is heeded.
  *
- * To be tried in a browser (tests/page/browser): from file:// a build runs on a worker from a blob while frames are drawn; progress arrives; a signal
- * ends it within 100 ms, and the next job runs on a new worker; with Worker deleted from the window the same bytes come from the main thread. The rest is in
- * tests/page/remote.test.js.
+ * Tried with real workers, from a file and from a server, and without any in tests/page/browser, and by itself in tests/page/bundle.test.js.
  */
 import { CoreError, loadCore } from "./core.js";
 import { wasmBytes, workerSource } from "./inlined.js";

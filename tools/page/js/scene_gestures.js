@@ -9,7 +9,7 @@
  * @property {(x: number, y: number, touch: boolean) => Target|null} hit
  * @property {(target: Target) => boolean} isSelected
  * @property {(target: Target) => [number, number]} anchor pixels of what the drag moves
- * @property {(target: Target|null, x: number, y: number) => void} hover
+ * @property {(target: Target|null) => void} hover
  * @property {(target: Target|null) => void} select
  * @property {(target: Target, x: number, y: number) => void} drag to these pixels
  * @property {(target: Target) => void} dragEnd
@@ -37,20 +37,10 @@ export class SceneGestures {
         /** @type {"none"|"pressed"|"dragging"|"panning"|"pinching"} */
         this.mode = "none";
         this.lastTap = { time: -Infinity, x: 0, y: 0 };
-        this.listeners = new AbortController();
-        for (const kind of ["down", "move", "up", "cancel", "leave"]) this.listen(`pointer${kind}`, (event) => this[kind](event));
-        this.listen("lostpointercapture", (event) => this.cancel(event));
-        this.listen("wheel", (event) => this.wheel(event), { passive: false });
+        for (const kind of ["down", "move", "up", "cancel", "leave"]) element.addEventListener(`pointer${kind}`, (event) => this[kind](event));
+        element.addEventListener("lostpointercapture", (event) => this.cancel(event));
+        element.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
         element.style.touchAction = "none";
-    }
-
-    /** @param {string} kind */
-    listen(kind, act, options = {}) {
-        this.element.addEventListener(kind, act, { ...options, signal: this.listeners.signal });
-    }
-
-    release() {
-        this.listeners.abort();
     }
 
     /** @param {PointerEvent} event */
@@ -74,7 +64,7 @@ export class SceneGestures {
     move(event) {
         const [x, y] = placeWithin(this.element, event), pointer = this.pointers.get(event.pointerId);
         if (!pointer) {
-            if (event.pointerType === "mouse") this.to.hover(this.to.hit(x, y, false), x, y);
+            if (event.pointerType === "mouse") this.to.hover(this.to.hit(x, y, false));
             return;
         }
         const dx = x - pointer.x, dy = y - pointer.y;
@@ -137,7 +127,7 @@ export class SceneGestures {
     }
 
     leave() {
-        if (this.pointers.size === 0) this.to.hover(null, 0, 0);
+        if (this.pointers.size === 0) this.to.hover(null);
     }
 
     endDrag() {

@@ -11,8 +11,8 @@
 /** @typedef {import("tdsp/scene_projection.js").Projection} Projection */
 
 /** Half of what WCAG asks of a target for fingers: 44 by 44 pixels. */
-export const FINGER = 22;
-export const MOUSE = 12;
+const FINGER = 22;
+const MOUSE = 12;
 const RIM = { mouse: 6, touch: 16 };
 
 /**

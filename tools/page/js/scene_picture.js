@@ -44,7 +44,6 @@ import { Tracer, traceLegs } from "tdsp/scene_trace.js";
  * @property {import("tdsp/scene_projection.js").Projection} projection
  * @property {import("tdsp/scene_layout.js").Layout} layout
  * @property {boolean} still a picture of one moment, not a moving one
- * @property {boolean} legend shown below
  * @property {number} head pixels kept free above, for a title
  * @property {{width: number, height: number}|null} corner of the canvas, its top right one, that no label goes into: something else lies there
  */
@@ -66,7 +65,7 @@ export function arrangeScene(state, width, height, measure) {
     const unit = state.units.length, range = projection.width / projection.scale;
     const axes = { x: lengthAxis("x", unit, range), y: lengthAxis("y", unit, range) };
     const room = axesRoom(frameTicks(projection.frame(), axes.x, axes.y, measure), titled);
-    const items = state.legend ? legendOf(state, state.layout?.every ?? 0, width < ROOMY) : [];
+    const items = legendOf(state, state.layout?.every ?? 0, width < ROOMY);
     const legend = placeLegend(items, width - room.left - right, measure);
     const below = room.bottom + (legend.height > 0 ? legend.height + 6 : 0);
     projection.place(room.left, top, width - room.left - right, height - top - below - 4);

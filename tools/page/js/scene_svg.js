@@ -17,7 +17,7 @@ export const BLANK = Object.freeze({ robot: { speed: 1 }, source: [0, 0], destin
 export function blankScene(palette) {
     return {
         description: BLANK, count: 0, centers: centersOf([]), now: new Float64Array(0), later: null, legs: [], ghost: [], jumps: [], time: 0,
-        units: { length: "", time: "" }, selected: null, hover: null, palette, projection: new Projection(), layout: null, still: false, legend: true, head: 0, corner: null,
+        units: { length: "", time: "" }, selected: null, hover: null, palette, projection: new Projection(), layout: null, still: false, head: 0, corner: null,
     };
 }
 

@@ -37,7 +37,6 @@ import { BLANK, blankScene, sceneSvg } from "tdsp/scene_svg.js";
  * @property {number} time that the picture is of
  * @property {Target|null} selected
  * @property {Palette} palette
- * @property {boolean} legend below the window (default: shown)
  * @property {{width: number, height: number}|null} corner of the canvas, its top right one, where something else lies: no label goes there
  */
 
@@ -52,7 +51,6 @@ import { BLANK, blankScene, sceneSvg } from "tdsp/scene_svg.js";
 /**
  * @typedef {object} SceneOptions
  * @property {Palette} [palette]
- * @property {(target: Target|null, place: [number, number]) => void} [onHover] place: of the pointer, in the plane
  * @property {(drag: Drag) => void} [onDrag]
  * @property {(drag: Drag) => void} [onDragEnd] the last one again
  * @property {(target: Target|null) => void} [onSelect]
@@ -68,13 +66,11 @@ export class SceneView {
     constructor(canvas, options = {}) {
         this.options = options;
         this.canvas = canvas;
-        /** How long the last frame took to draw, in ms. */
-        this.lastFrameMs = 0;
         this.state = blankScene(options.palette ?? light);
         this.dirty = { ground: true, live: true, fit: true };
         this.layers = new Layers(canvas, () => this.draw());
         this.measure = this.layers.pen.width.bind(this.layers.pen);
-        this.gestures = new SceneGestures(canvas, this.intentions());
+        new SceneGestures(canvas, this.intentions());
     }
 
     /**
@@ -88,7 +84,6 @@ export class SceneView {
         if (shown.ghost !== undefined) state.ghost = prepareLegs(shown.ghost?.legs ?? [], state.description.robot.speed);
         if (shown.jumps !== undefined) state.jumps = shown.jumps ?? [];
         if (shown.palette !== undefined) state.palette = shown.palette;
-        if (shown.legend !== undefined) state.legend = shown.legend;
         if (shown.corner !== undefined) state.corner = shown.corner;
         if (shown.time !== undefined) state.time = shown.time;
         if (shown.selected !== undefined) state.selected = shown.selected;
@@ -141,7 +136,6 @@ export class SceneView {
 
     /** Draw now, if anything has changed since the last time. */
     draw() {
-        const began = performance.now();
         if (this.layers.fitSize()) this.dirty.ground = true;
         if (this.layers.width === 0 || !(this.dirty.ground || this.dirty.live)) return;
         if (this.dirty.fit) this.fitNow();
@@ -149,7 +143,6 @@ export class SceneView {
         if (this.dirty.ground) this.drawKept();
         drawLive(this.layers.copyKept(), this.state);
         this.dirty.ground = this.dirty.live = false;
-        this.lastFrameMs = performance.now() - began;
     }
 
     updateRadii() {
@@ -235,12 +228,6 @@ export class SceneView {
         return sceneSvg(this.state, { ...page, width, height }, this.measure);
     }
 
-    /** No longer of use: stop listening. */
-    release() {
-        this.gestures.release();
-        this.layers.release();
-    }
-
     /** @returns {import("tdsp/scene_gestures.js").Intentions} */
     intentions() {
         const { state } = this;
@@ -248,7 +235,7 @@ export class SceneView {
             hit: (x, y, touch) => this.targetAt(x, y, touch),
             isSelected: (target) => state.selected?.index === target.index,
             anchor: (target) => this.anchor(target),
-            hover: (target, x, y) => this.hover(target, x, y),
+            hover: (target) => this.hover(target),
             select: (target) => this.options.onSelect?.(target?.what === "rim" ? { what: "disc", index: target.index } : target),
             drag: (target, x, y) => this.drag(target, x, y),
             dragEnd: () => this.options.onDragEnd?.(this.dragged),
@@ -274,9 +261,8 @@ export class SceneView {
         return [projection.x(x), projection.y(y)];
     }
 
-    hover(target, x, y) {
+    hover(target) {
         this.canvas.style.cursor = target ? CURSORS[target.what] : "";
-        if (target || this.state.hover) this.options.onHover?.(target, this.placeAt(x, y));
         if (sameTarget(target, this.state.hover)) return;
         this.state.hover = target;
         this.change();

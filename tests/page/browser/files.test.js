@@ -84,6 +84,7 @@ test("a saved table opens again: its curve, its jumps, its ways, and why there a
     await page.waitForFunction(() => globalThis.tdspPage.store.state.bytes !== null);
     await page.getByLabel("Departure", { exact: true }).fill("2200");
     await page.keyboard.press("Tab");
+    await page.waitForFunction(() => document.getElementById("words").textContent.includes("2200"));
     const said = (await page.textContent("#words")).replaceAll("\u00a0", " ");
     const [row] = JSON.parse(tdsp("query", path, "2200", "--json")).results;
     assert.match(said, /^Leaving at 2200 s you arrive by [\d.]+ s along the stored path; nothing arrives before [\d.]+ s\./);

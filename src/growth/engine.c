@@ -28,8 +28,8 @@ static tdsp_status push_label(growth_engine *engine, label_kind kind, uint32_t i
 typedef struct blocked_query {
     growth_engine *engine;
     const sight_line *line;
-    uint32_t from, to;       /* the discs that it leaves and meets, */
-    uint32_t left, met;      /* on these runs; */
+    const growth_ride *ride; /* that it leaves; NULL for none */
+    uint32_t to, met;        /* the disc that it meets, on this run; */
     uint32_t except;         /* this one does not count */
     growth_hit first;
 } blocked_query;
@@ -38,9 +38,10 @@ static int visit_blocked(void *ctx, uint32_t disc)
 {
     blocked_query *query = ctx;
     const growth_question *question = &query->engine->question;
-    uint32_t left = disc == query->from ? query->left : SHAPE_NONE, met = disc == query->to ? query->met : SHAPE_NONE;
+    uint32_t left = SHAPE_NONE, met = disc == query->to ? query->met : SHAPE_NONE;
     double time;
     if (disc == query->except) return 1;
+    if (query->ride) left = disc == query->ride->disc ? query->ride->run : ride_left(query->engine, query->ride, query->line, disc);
     if (!sight_is_blocked(engine_shape(query->engine, disc), question->sign, query->line, query->first.time, left, met, &time)) return 1;
     query->first.disc = disc;
     query->first.time = time;
@@ -50,9 +51,7 @@ static int visit_blocked(void *ctx, uint32_t disc)
 int growth_leg_is_blocked(growth_engine *engine, const growth_leg *leg, growth_hit *hit)
 {
     const growth_ride *ride = leg->ride == GROWTH_NONE ? NULL : &engine->rides[leg->ride];
-    blocked_query query = {engine, &leg->line, GROWTH_NONE, leg->disc, SHAPE_NONE, leg->run, GROWTH_NONE, {GROWTH_NONE, leg->arrive}};
-    if (ride) query.from = ride->disc;
-    if (ride) query.left = ride->run;
+    blocked_query query = {engine, &leg->line, ride, leg->disc, leg->run, GROWTH_NONE, {GROWTH_NONE, leg->arrive}};
     ++engine->legs_tested;
     reach_line(&engine->reach, &leg->line, leg->arrive, visit_blocked, &query);
     *hit = query.first;
@@ -61,7 +60,7 @@ int growth_leg_is_blocked(growth_engine *engine, const growth_leg *leg, growth_h
 
 int growth_line_is_blocked(growth_engine *engine, const sight_line *line, double end, uint32_t except)
 {
-    blocked_query query = {engine, line, GROWTH_NONE, GROWTH_NONE, SHAPE_NONE, SHAPE_NONE, except, {GROWTH_NONE, end}};
+    blocked_query query = {engine, line, NULL, GROWTH_NONE, SHAPE_NONE, except, {GROWTH_NONE, end}};
     reach_line(&engine->reach, line, end, visit_blocked, &query);
     return query.first.disc != GROWTH_NONE;
 }

@@ -121,6 +121,11 @@ static double first_inside(const ride_pass *pass, double low, double high)
     return low;
 }
 
+static double forgiven_to(const growth_shape *shape, double sign, double time)
+{
+    return GRACE * tolerance_touch(shape->center, 2.0 * shape_radius(shape, sign * time));
+}
+
 /*
  * The touches forgiven to a ride that begins inside the other and is about to come out. One that came over from there was let past in proportion to the disc that it rides
  * now, which may be many touches of the other's where that is the smaller.
@@ -130,11 +135,24 @@ static double begin_grace(const ride_pass *pass)
     const growth_chunk *chunk = pass->chunk;
     ride_sample start = sample_at(pass, chunk->from);
     double clearance = sample_clearance(pass, &start), slope = sample_slope(pass, &start), distance = point_length(start.place);
-    double own = shape_jet(chunk->shape, chunk->base.span, chunk->sign * start.at).radius, touch = -touch_of(pass, &start, distance);
-    double forgiven = GRACE * tolerance_touch(chunk->shape->center, 2.0 * own), rate = sight_rate(pass->other, chunk->sign, pass->span, start.at);
+    double forgiven = forgiven_to(chunk->shape, chunk->sign, start.at), touch = -touch_of(pass, &start, distance);
+    double rate = sight_rate(pass->other, chunk->sign, pass->span, start.at);
     if (start.at > chunk->ride->start.time || clearance >= -1.0 || clearance * touch < -forgiven) return 0.0;
     int is_turning = slope * slope * distance <= (1.0 - rate * rate) * forgiven;
     return slope >= 0.0 || is_turning ? 2.0 * forgiven / touch : 0.0;
+}
+
+uint32_t ride_left(const growth_engine *engine, const growth_ride *ride, const sight_line *line, uint32_t disc)
+{
+    const growth_leg *leg = ride->leg == GROWTH_NONE ? NULL : &engine->legs[ride->leg];
+    if (!leg || leg->ride == GROWTH_NONE || leg->arrive > leg->line.start || engine->rides[leg->ride].disc != disc) return SHAPE_NONE;
+    const growth_shape *own = engine_shape(engine, ride->disc), *other = engine_shape(engine, disc);
+    double sign = engine->question.sign;
+    uint32_t span = sight_span_at(other, sign, line->start);
+    tdsp_point out = point_sub(line->from, other->center);
+    double distance = point_length(out), clearance = distance - shape_radius(other, sign * line->start);
+    int comes_out = point_dot(line->unit, out) >= sight_rate(other, sign, span, line->start) * distance;
+    return comes_out && clearance >= -forgiven_to(own, sign, line->start) ? other->spans[span].run : SHAPE_NONE;
 }
 
 /* The first contact on [from, to], on one span of the other; `to` when there is none, and then *hit stays. */
@@ -235,19 +253,14 @@ static void meeting_notes(ride_meeting *meeting, const ride_pass *pass, int is_a
     meeting->change.at = at;
 }
 
-/* The span that held right before a moment of travel. */
+/* The span that held right before one begins, if it can be ridden; one of no duration did not. */
 static uint32_t span_before(const growth_shape *shape, double sign, uint32_t span, double time)
 {
-    uint32_t before = sign > 0.0 ? span - 1 : span + 1;
-    return span_begins(&shape->spans[span], sign) == time && before < shape->span_count ? before : span;
-}
-
-/* The angle at which a ride comes into the fan of a chunk, or begins in it. */
-static double fan_begins(const growth_chunk *chunk)
-{
-    const growth_moment *start = &chunk->ride->start;
-    if (start->in_fan && start->span == chunk->base.span) return start->theta;
-    return rider_theta(chunk->shape, chunk->sign, chunk->base.span, chunk->base.time);
+    for (;;) {
+        uint32_t before = sign > 0.0 ? span - 1 : span + 1;
+        if (span_begins(&shape->spans[span], sign) < time || before >= shape->span_count || shape->spans[before].run == SHAPE_NONE) return span;
+        span = before;
+    }
 }
 
 /* Where the heading, which turns on the spot, comes out of the other: it does not at `from`. */
@@ -262,18 +275,22 @@ static double fan_turns_out(const ride_pass *pass, double from, double to)
 }
 
 /*
- * A fan is turned on the spot and meets nothing. But the clearance is least there, and may be a touch, where the rider came closer to the other and goes away from it. What
- * the other's own rate is may change in the same moment.
+ * A fan is turned on the spot and meets nothing. But the other may be touched there, and the heading become that of a rider on it. For one who begins in the fan it may be
+ * within a fan of the other's at once, whose rate falls in the same moment; and who came over from there is as deep in it as is forgiven.
  */
 static void fan_meets(ride_meeting *meeting, const growth_chunk *chunk, const growth_shape *other)
 {
-    double time = chunk->base.time, first = fan_begins(chunk);
+    const growth_moment *start = &chunk->ride->start;
+    int begins = start->in_fan && start->span == chunk->base.span && start->theta == chunk->from;
+    double time = chunk->base.time;
     ride_pass after = {chunk, other, sight_span_at(other, chunk->sign, time), 0.0, INFINITY, 0.0, 0.0, INFINITY}, before = after;
     before.span = span_before(other, chunk->sign, after.span, time);
-    ride_sample came = sample_at(&before, first), from = sample_at(&after, chunk->from), to = sample_at(&after, chunk->to);
-    if (fabs(sample_clearance(&after, &from)) > 1.0 + TOUCH_SAME || sample_slope(&before, &came) >= 0.0) return;
+    ride_sample from = sample_at(&after, chunk->from), to = sample_at(&after, chunk->to);
+    double clearance = sample_clearance(&after, &from), depth = clearance * touch_of(&after, &from, point_length(from.place));
+    if (clearance > 1.0 + TOUCH_SAME) return;
+    if (clearance < -1.0 - TOUCH_SAME && !(begins && depth <= forgiven_to(chunk->shape, chunk->sign, time))) return;
     if (sample_slope(&after, &from) >= 0.0) {
-        if (chunk->from == first) meeting_notes(meeting, &before, 1, first);
+        if (begins && sample_slope(&before, &from) < 0.0) meeting_notes(meeting, &before, 1, chunk->from);
     } else if (sample_slope(&after, &to) >= 0.0) {
         meeting_notes(meeting, &after, 0, fan_turns_out(&after, chunk->from, chunk->to));
     }
@@ -298,7 +315,7 @@ ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other)
         meeting.free_until = pass_span(&pass, from, to, &meeting.is_stopped);
         if (meeting.is_stopped) return meeting;
         meeting_notes(&meeting, &pass, 0, pass_touch(&pass, from, to));
-        if (end >= chunk->to) return meeting;
+        if (end > chunk->to || span_next(&pass) >= other->span_count) return meeting;
         if (touches_corner(&pass, to)) meeting_notes(&meeting, &pass, 1, to);
         pass.span = span_next(&pass);
         from = to;

@@ -31,6 +31,12 @@ typedef struct ride_meeting {
 
 ride_meeting ride_meets(const growth_chunk *chunk, const growth_shape *other);
 
+/*
+ * The run of a disc that a ride came over from at a touch, and which a line that leaves the ride comes out of, no deeper in it than what is forgiven to the ride: as on the run that it leaves, nothing else
+ * happens on that one. SHAPE_NONE for all others.
+ */
+uint32_t ride_left(const growth_engine *engine, const growth_ride *ride, const sight_line *line, uint32_t disc);
+
 /* More on one chunk are left out. */
 #define RIDE_CHANGES 8
 

@@ -126,6 +126,32 @@ static void who_meets_both_discs_of_a_gap_as_their_rates_fall_may_ride_either(vo
     jumps_once(&middle, discs, 4, 0.769360934137, 0.769360934142, 2.0105172167, 2.6899901253);
 }
 
+/* From the other disc's fan straight to the goal: it begins as deep in the smaller disc as was forgiven to who changed over. */
+static void who_changes_over_as_a_rate_falls_may_leave_at_once(void **state)
+{
+    (void)state;
+    static const double times[] = {0.0, 1.5393318540591157}, first[] = {0.23498493288074973, 0.19320198549482118}, fourth[] = {0.33831343119096829, 0.071784482126511867};
+    static const double r[] = {0.24899481898206788, 0.31221622841590974, 0.19321548993367249};
+    const tdsp_growing_disc discs[] = {grows(0.065781922899338596, -0.48937980330787589, 0.026464280207267099, rates(first, times, 2)),
+                                       grows(-0.17909533006532635, 0.29369759902663306, 0.09771977381151925, polynomial(&r[0], 1)),
+                                       grows(-0.58886654172461006, -0.46769803031655077, 0.082868768701745796, polynomial(&r[1], 1)),
+                                       grows(0.035962556806152346, 0.51040053332352986, 0.127162777703588, rates(fourth, times, 2)),
+                                       grows(-0.25521038594012541, -0.51844266875502898, 0.12865707406922988, polynomial(&r[2], 1))};
+    jumps_once(&middle, discs, 5, 0.34718670853, 0.34718670854, 2.0155735061, 3.3268597711);
+}
+
+/* The disc ridden grows faster from that moment on, and is ridden again on the other side of the gap's narrowest. */
+static void who_changes_over_as_a_rate_falls_may_change_back_at_once(void **state)
+{
+    (void)state;
+    static const double times[] = {0.0, 1.0085443792270523}, first[] = {0.2499306414958779, 0.25472961469760996}, second[] = {0.36014664885546388, 0.16526720976362408};
+    static const double third[] = {0.34928069407229728};
+    const tdsp_growing_disc discs[] = {grows(-0.46114252879622275, -0.28688608692477713, 0.057262268652099629, rates(first, times, 2)),
+                                       grows(-0.54010059172944058, 0.49967466789667825, 0.14600598430652434, rates(second, times, 2)),
+                                       grows(-0.53168213767352734, -0.51597981738648402, 0.10918164927504602, polynomial(third, 1))};
+    jumps_once(&middle, discs, 3, 0.3964277852, 0.39642778521, 2.0002215892, 3.3809588810);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -133,6 +159,8 @@ int main(void)
         cmocka_unit_test(a_touch_between_two_looks_at_a_ride_is_one),
         cmocka_unit_test(who_turns_on_the_spot_in_a_gap_may_change_over),
         cmocka_unit_test(who_meets_both_discs_of_a_gap_as_their_rates_fall_may_ride_either),
+        cmocka_unit_test(who_changes_over_as_a_rate_falls_may_leave_at_once),
+        cmocka_unit_test(who_changes_over_as_a_rate_falls_may_change_back_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -8,9 +8,10 @@
 /* Parts of a chunk that are looked at one by one, at most. */
 #define MOST_PARTS 64
 
-/* F of a line that touches, relative to the distance of the centre; and the most that rounding of times turns a heading by where it still matters. */
+/* F of a line that touches, relative to the distance of the centre; and of one that misses by so much that no tangent is near, relative to its square. */
 #define GRAZE_VALUE 1e-15
-#define GRAZE_TURN 0.01
+#define GRAZE_FAR 0.25
+#define GRAZE_STEPS 8
 
 /* So near to a place where F is 0 another one is no other. */
 #define MOST_HALVINGS 40
@@ -122,20 +123,46 @@ static double landing_theta(tdsp_point center, int side, const sight_line *line,
     return math_atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
+/* A line from there that touches the disc as it will be, if the disc does not reach as far; 0 where it does. */
+static int line_aim(const leave_target *target, sight_line *line)
+{
+    tdsp_point to = point_sub(target->place, line->from);
+    double sign = target->engine->question.sign, distance = point_length(to), time = math_min(line->start + distance, run_ends(target->shape, sign, target->run));
+    double radius = shape_radius(target->shape, sign * time);
+    if (radius >= distance) return 0;
+    line->unit = point_unit(math_atan2(to.y, to.x) - target->side * math_asin(radius / distance));
+    return 1;
+}
+
 /*
  * Where an ulp of time turns the ride by much, as on a pebble late in time, the heading of a root is not that of the tangent: it is turned about the place of leaving until the line touches
- * the disc. F changes with that turn as the distance travelled does across the line.
+ * the disc. F changes with that turn as the distance travelled does across the line. A line that misses the disc by far is aimed at it first.
  */
 static void line_graze(const leave_target *target, sight_line *line, sight_nearest *nearest)
 {
-    for (int step = 0; step < 4; ++step) {
+    int is_aimed = 0;
+    for (int step = 0; step < GRAZE_STEPS; ++step) {
         tdsp_point out = point_sub(sight_place(line, nearest->time), target->place);
-        if (fabs(nearest->value) <= GRAZE_VALUE * point_length(out)) return;
+        double distance = point_length(out), miss = fabs(nearest->value);
+        if (miss <= GRAZE_VALUE * distance) return;
+        sight_line better = *line;
         double turn = -nearest->value / (2.0 * (nearest->time - line->start) * point_cross(line->unit, out));
-        if (!(fabs(turn) < GRAZE_TURN)) return;
-        line->unit = point_unit(math_atan2(line->unit.y, line->unit.x) + turn);
-        *nearest = target_nearest(target, line, 1);
+        int is_far = !(miss <= GRAZE_FAR * distance * distance);
+        if (is_far && (is_aimed || !line_aim(target, &better))) return;
+        if (!is_far) better.unit = point_unit(math_atan2(line->unit.y, line->unit.x) + turn);
+        sight_nearest touch = target_nearest(target, &better, 1);
+        if (!is_far && !(fabs(touch.value) < miss)) return;
+        *line = better;
+        *nearest = touch;
+        is_aimed |= is_far;
     }
+}
+
+/* Does it touch, as far as places are known? A run that begins may find the line already past the disc. */
+static int line_touches(const leave_target *target, const sight_line *line, const sight_nearest *nearest)
+{
+    double distance = point_distance(sight_place(line, nearest->time), target->place), radius = shape_radius(target->shape, target->engine->question.sign * nearest->time);
+    return fabs(nearest->value) <= tolerance_touch(target->place, distance + radius) * (distance + radius);
 }
 
 static tdsp_status target_push(const leave_target *target, double at, const sight_line *line, double arrive, const sight_nearest *nearest)
@@ -161,6 +188,7 @@ static tdsp_status push_line(const leave_target *target, double at, sight_line *
     double sign = target->engine->question.sign;
     sight_nearest nearest = target_nearest(target, line, 1);
     if (target->chunk) line_graze(target, line, &nearest);
+    if (target->chunk && !line_touches(target, line, &nearest)) return TDSP_OK;
     /* A run may begin where its rate falls to the robot's speed: whoever is caught there, from right behind, rides on. */
     int is_within = nearest.time >= run_begins(target->shape, sign, target->run) && nearest.time < run_ends(target->shape, sign, target->run);
     return nearest.time > line->start && (is_within || nearest.is_at_corner) ? target_push(target, at, line, nearest.time, &nearest) : TDSP_OK;
@@ -179,14 +207,12 @@ static tdsp_status push_tangent(const leave_target *target, double at)
 static tdsp_status push_narrow(leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    tdsp_point to = point_sub(target->place, line.from);
-    double distance = point_length(to), radius = shape_radius(target->shape, target->engine->question.sign * (line.start + distance));
+    double radius = shape_radius(target->shape, target->engine->question.sign * (line.start + point_distance(line.from, target->place)));
     tdsp_status status = TDSP_OK;
-    if (fabs(target_offset(target, &line)) < 0.5 * radius || radius >= distance) return TDSP_OK;
+    if (fabs(target_offset(target, &line)) < 0.5 * radius) return TDSP_OK;
     for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
         target->side = side;
-        line.unit = point_unit(math_atan2(to.y, to.x) - side * math_asin(radius / distance));
-        status = push_line(target, at, &line);
+        if (line_aim(target, &line)) status = push_line(target, at, &line);
     }
     return status;
 }

@@ -60,10 +60,33 @@ static void pebbles_in_a_row_are_passed_at_every_time(void **state)
         tdsp_scene *scene;
         tdsp_solver *solver = solver_among(discs, count, &scene);
         const double first = travel_time(solver, 0.0);
-        for (double departure = 1.1; departure < 300.0; departure *= 4.0) assert_near(travel_time(solver, departure), first, 1e-11 * (1.0 + departure));
+        for (double departure = 1.1; departure < 5e5; departure *= 4.0) assert_near(travel_time(solver, departure), first, 1e-11 + 0x1p-48 * departure);
         tdsp_solver_free(solver);
         tdsp_scene_free(scene);
     }
+}
+
+/* Found by fuzzing: a rider of the pebble, 70,000 journeys late, left for the other disc where its rounded time had turned it, and went on from inside of that disc. */
+static void a_pebble_aside_changes_nothing_late_in_time(void **state)
+{
+    (void)state;
+    static const double slowing[] = {0.1, 0.001, -1e-5}, starting[] = {0.0, 1e-9};
+    const tdsp_journey fast = {2595488.0, 0.0, {-18.0, 0.0}, {20.0, 0.0}};
+    const tdsp_growing_disc discs[] = {
+        {{7.0, 3.0}, 6.0, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 3, .values = slowing}},
+        {{0.0, -1.0}, 0.0, {.kind = TDSP_GROWTH_POLYNOMIAL, .count = 2, .values = starting}},
+    };
+    double travel[2];
+    for (size_t count = 1; count <= 2; count++) {
+        tdsp_scene *scene;
+        tdsp_solver *solver;
+        assert_int_equal(tdsp_scene_create_growing(&fast, discs, count, NULL, &scene), TDSP_OK);
+        assert_int_equal(tdsp_solver_create(scene, &solver), TDSP_OK);
+        travel[count - 1] = travel_time(solver, 1.0);
+        tdsp_solver_free(solver);
+        tdsp_scene_free(scene);
+    }
+    assert_near(travel[1], travel[0], 0x1p-50);
 }
 
 int main(void)
@@ -71,6 +94,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_pebble_on_the_way_is_passed_at_every_time),
         cmocka_unit_test(pebbles_in_a_row_are_passed_at_every_time),
+        cmocka_unit_test(a_pebble_aside_changes_nothing_late_in_time),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,12 +74,12 @@ static int matrix_counts_are_good(const tdsp_matrix *view)
     return view->destinations <= view->length / MATRIX_PAIR_SIZE / view->sources;
 }
 
-/* A section begins at *cursor, which the header says as well: *offset becomes that, and *cursor where the next begins. */
+/* A section begins at *cursor, which the header says at `stated_at`: *offset becomes that, and *cursor where the next begins. */
 static int matrix_section(const tdsp_matrix *view, size_t stated_at, uint64_t size, uint64_t *cursor, uint64_t *offset)
 {
-    *offset = *cursor;
-    if (bytes_get_u64(view->bytes + stated_at) != *cursor || size > view->length - *cursor) return 0;
-    return matrix_pad(view, *cursor + size, cursor);
+    *offset = bytes_get_u64(view->bytes + stated_at);
+    if (*offset != *cursor || size > view->length - *offset) return 0;
+    return matrix_pad(view, *offset + size, cursor);
 }
 
 /* The sections one after the other from *cursor on, which becomes where the tables begin. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the proof of the table reader runs: every table of LENGTH bytes, opened by OPEN, and every question to it.
+ * What the proof of the table reader runs: every table of LENGTH bytes, opened by OPEN, and, where ASK is 1, every question to it.
  *
  * Frama-C's Eva follows all runs of this program at once. A byte is any byte, an argument any value of its type, so an alarm-free analysis says that no
  * table of that length leads any function asked here to read or write outside its objects, to read what was never set, or
@@ -103,14 +103,17 @@ static size_t told_length(void)
     return LENGTH == LONGEST ? LENGTH : (size_t)Frama_C_interval(LENGTH, LONGEST);
 }
 
-/* OPEN: tdsp_table_open or tdsp_table_reopen. That neither accepts what is shorter than a header is what matrix.c builds on. */
+/*
+ * OPEN: tdsp_table_open or tdsp_table_reopen. The second accepts all that the first accepts, and makes the same view of it, since what the first checks besides leaves the
+ * view as it is: so the questions are put to what the second accepts, and answered for both. That neither accepts what is shorter than a header is what matrix.c builds on.
+ */
 static void open_and_ask(const unsigned char *bytes)
 {
     tdsp_table table = {0};
     size_t length = told_length();
     if (OPEN(&table, bytes, length) != TDSP_OK) return;
     /*@ assert length >= FORMAT_HEADER_LENGTH; */
-    ask(&table);
+    if (ASK) ask(&table);
 }
 
 #if LENGTH >= FORMAT_AT_ROWS + 8

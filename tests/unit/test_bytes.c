@@ -177,10 +177,13 @@ static int is_utf8(const char *text)
 static void a_character_that_the_end_cuts_off_is_none_even_if_the_rest_stands_behind(void **state)
 {
     (void)state;
-    const char *whole[] = {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x98\x80"};
+    const char *whole[] = {"m\xc3\xa9", "m\xe2\x82\xac", "m\xf0\x9f\x98\x80"};
     for (size_t i = 0; i < 3; i++) {
         const unsigned char *p = (const unsigned char *)whole[i];
-        for (size_t length = 0; length <= i + 2; length++) assert_int_equal(text_utf8_length(p, 0, length), length == i + 2 ? length : 0);
+        for (size_t length = 0; length <= i + 2; length++) {
+            assert_int_equal(text_utf8_length(p + 1, 0, length), length == i + 2 ? length : 0);
+            assert_int_equal(text_utf8_length(p, 1, 1 + length), length == i + 2 ? length : 0);
+        }
     }
 }
 

@@ -5,9 +5,11 @@
 #include <stdlib.h>
 
 #include "base/bytes.h"
+#include "base/hash.h"
 #include "support/matrix_walk.h"
 #include "support/tight.h"
 #include "support/world.h"
+#include "table/format.h"
 #include "table/matrix.h"
 #include "tdsp/build.h"
 
@@ -177,6 +179,52 @@ static void numbers_that_contradict_each_other_are_noticed_behind_good_checksums
     drop(&b);
 }
 
+/* The places of two sources are one, and so are their tables. */
+static void a_table_that_two_pairs_share_is_refused(void **state)
+{
+    (void)state;
+    built b;
+    build(&b);
+    unsigned char *points = b.bytes + bytes_get_u64(b.bytes + MATRIX_AT_POINTS), *pairs = b.bytes + bytes_get_u64(b.bytes + MATRIX_AT_PAIRS);
+    memcpy(points + 2 * MATRIX_POINT_SIZE, points, MATRIX_POINT_SIZE);
+    memcpy(pairs + 4 * MATRIX_PAIR_SIZE, pairs, 2 * MATRIX_PAIR_SIZE);
+    bytes_put_u16(b.bytes + MATRIX_AT_MINOR, MATRIX_MINOR + 1);
+    assert_int_equal(open_copy(b.bytes, b.length, 1), TDSP_BAD_TABLE);
+    drop(&b);
+}
+
+/* So long that in 64 bits it ends where the matrix begins, which its own header says as well. */
+static void a_table_whose_end_wraps_around_is_refused(void **state)
+{
+    (void)state;
+    built b;
+    build(&b);
+    unsigned char *pair = b.bytes + bytes_get_u64(b.bytes + MATRIX_AT_PAIRS);
+    uint64_t offset = bytes_get_u64(pair + MATRIX_PAIR_AT_OFFSET);
+    unsigned char *table = b.bytes + offset;
+    bytes_put_u64(pair + MATRIX_PAIR_AT_LENGTH, UINT64_MAX - offset + 1);
+    bytes_put_u64(table + FORMAT_AT_LENGTH, UINT64_MAX - offset + 1);
+    uint32_t crc = hash_crc32c(0, table, 0, FORMAT_AT_HEADER_CRC);
+    crc = hash_crc32c(crc, table, FORMAT_AFTER_HEADER_CRC, bytes_get_u32(table + FORMAT_AT_HEADER_LENGTH));
+    bytes_put_u32(table + FORMAT_AT_HEADER_CRC, crc);
+    assert_int_equal(open_copy(b.bytes, b.length, 1), TDSP_BAD_TABLE);
+    drop(&b);
+}
+
+static void an_end_that_only_an_overwritten_view_has_is_read_from_the_header(void **state)
+{
+    (void)state;
+    built b;
+    tdsp_matrix matrix;
+    tdsp_matrix_end end;
+    build(&b);
+    assert_int_equal(tdsp_matrix_open(&matrix, b.bytes, b.length), TDSP_OK);
+    matrix.sources = UINT64_MAX;
+    assert_int_equal(tdsp_matrix_source(&matrix, UINT64_C(1) << 40, &end), TDSP_OK);
+    assert_memory_equal(&end.place.x, b.bytes, sizeof end.place.x);
+    drop(&b);
+}
+
 static tdsp_status failing_oracle(void *ctx, size_t i, size_t j, size_t worker, tdsp_oracle *oracle, uint64_t *hash)
 {
     tdsp_status status = oracle_for(ctx, i, j, worker, oracle, hash);
@@ -289,6 +337,9 @@ int main(void)
         cmocka_unit_test(pairs_that_are_not_there_are_refused),
         cmocka_unit_test(any_changed_or_missing_byte_is_noticed),
         cmocka_unit_test(numbers_that_contradict_each_other_are_noticed_behind_good_checksums),
+        cmocka_unit_test(a_table_that_two_pairs_share_is_refused),
+        cmocka_unit_test(a_table_whose_end_wraps_around_is_refused),
+        cmocka_unit_test(an_end_that_only_an_overwritten_view_has_is_read_from_the_header),
         cmocka_unit_test(a_pair_that_fails_is_named_and_what_cannot_be_built_is_refused),
         cmocka_unit_test(arguments_that_are_missing_or_absurd_are_refused),
         cmocka_unit_test(a_failing_allocation_is_reported_and_leaves_no_block),

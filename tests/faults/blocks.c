@@ -21,12 +21,7 @@ void __sanitizer_free_hook(const volatile void *block);
 
 #define RAW __attribute__((no_sanitize("address", "undefined"), noinline))
 
-enum { FIRST_ROOM = 1 << 10, FRAMES = 1 << 9, STACK = 1 << 24, MODULES = 64 };
-
-typedef struct block {
-    uintptr_t at; /* 0: an empty place */
-    size_t size;
-} block;
+enum { FIRST_ROOM = 1 << 10, FRAMES = 1 << 9, STACK = 1 << 24, ROOTS = 64, HEAD = 16 };
 
 static struct {
     block *table;
@@ -34,15 +29,17 @@ static struct {
     size_t count;
     uintptr_t not_least, not_most; /* no block begins outside; turned round, or LeakSanitizer would take them for pointers */
     int counts;
-    int lost; /* a block could not be noted */
+    int lost; /* a block could not be noted, or a saved one is gone */
     char busy;
 } live;
 
-/* What this thread has of its own in each module: CMocka keeps its last message there. */
-static struct {
+/* Where pointers to blocks may be: what this thread has of its own in each module, for CMocka keeps its last message there, and what else is told. */
+typedef struct range {
     uintptr_t from, end;
-} own[MODULES];
-static size_t owned;
+} range;
+static range roots[ROOTS];
+static size_t root_count;
+static range cmocka;
 
 /* What was reached and has not been looked into; and the frames of functions that the sanitizer keeps on its heap. */
 typedef struct search {
@@ -50,6 +47,7 @@ typedef struct search {
     size_t *waiting;
     size_t waits;
     size_t found;
+    size_t all;
     void *fake_stack;
     uintptr_t frames[FRAMES];
     size_t frames_met;
@@ -106,7 +104,7 @@ static void note(uintptr_t at, size_t size)
     }
     block *b = &live.table[place_of(at)];
     live.count += b->at == 0;
-    *b = (block){at, size};
+    *b = (block){.at = at, .size = size};
     if (at < ~live.not_least) live.not_least = ~at;
     if (at > ~live.not_most) live.not_most = ~at;
 }
@@ -115,6 +113,7 @@ static void forget(uintptr_t at)
 {
     size_t gap = place_of(at);
     if (live.table[gap].at == 0) return;
+    live.lost |= live.table[gap].saved;
     live.count--;
     for (size_t i = (gap + 1) & (live.room - 1); live.table[i].at != 0; i = (i + 1) & (live.room - 1)) {
         const size_t from_home = (i - home_of(live.table[i].at)) & (live.room - 1);
@@ -141,21 +140,32 @@ void __sanitizer_free_hook(const volatile void *at)
     unlock();
 }
 
+void blocks_root(uintptr_t from, uintptr_t end)
+{
+    if (root_count < ROOTS) roots[root_count++] = (range){from, end};
+}
+
+void blocks_cmocka(uintptr_t *from, uintptr_t *end)
+{
+    *from = cmocka.from;
+    *end = cmocka.end;
+}
+
 static int note_own(struct dl_phdr_info *module, size_t size, void *unused)
 {
     (void)size, (void)unused;
-    for (int i = 0; i < module->dlpi_phnum && owned < MODULES; i++) {
-        if (module->dlpi_phdr[i].p_type != PT_TLS || !module->dlpi_tls_data) continue;
-        own[owned].from = (uintptr_t)module->dlpi_tls_data;
-        own[owned].end = own[owned].from + module->dlpi_phdr[i].p_memsz;
-        owned++;
+    for (int i = 0; i < module->dlpi_phnum; i++) {
+        const uintptr_t from = (uintptr_t)module->dlpi_tls_data;
+        if (module->dlpi_phdr[i].p_type != PT_TLS || from == 0) continue;
+        blocks_root(from, from + module->dlpi_phdr[i].p_memsz);
+        if (strstr(module->dlpi_name, "cmocka")) cmocka = (range){from, from + module->dlpi_phdr[i].p_memsz};
     }
     return 0;
 }
 
 void blocks_begin(void)
 {
-    owned = 0;
+    root_count = 0;
     dl_iterate_phdr(note_own, NULL);
     if (live.table) munmap(live.table, live.room * sizeof *live.table);
     live.table = pages(FIRST_ROOM * sizeof *live.table);
@@ -168,14 +178,39 @@ void blocks_begin(void)
     live.counts = 1;
 }
 
-static void reach(search *s, uintptr_t word)
+block *blocks_next(block *after)
 {
-    if (word < ~live.not_least || word > ~live.not_most) return;
+    block *b = after ? after + 1 : live.table;
+    while (b < live.table + live.room && b->at == 0) b++;
+    return b < live.table + live.room ? b : NULL;
+}
+
+block *blocks_find(const void *at)
+{
+    block *b = live.counts ? &live.table[place_of((uintptr_t)at)] : NULL;
+    return b && b->at ? b : NULL;
+}
+
+int blocks_are_known(void)
+{
+    return live.counts && !live.lost;
+}
+
+static void reach_at(search *s, uintptr_t word)
+{
     const size_t i = place_of(word);
-    if (live.table[i].at == 0 || s->reached[i]) return;
+    if (live.table[i].at == 0 || live.table[i].freed || s->reached[i]) return;
     s->reached[i] = 1;
     s->waiting[s->waits++] = i;
     s->found++;
+}
+
+/* A pointer to a block, or to what an allocator hands out that keeps a head of its own in front of it. */
+static void reach(search *s, uintptr_t word)
+{
+    if (word < ~live.not_least || word > ~live.not_most + HEAD) return;
+    reach_at(s, word);
+    reach_at(s, word - HEAD);
 }
 
 RAW static void look_into(search *s, uintptr_t from, uintptr_t end)
@@ -207,28 +242,40 @@ RAW static void look_into_stack(search *s, uintptr_t from, uintptr_t end)
 static int follow(search *s, uintptr_t from, uintptr_t end)
 {
     look_into_stack(s, from, end);
-    for (size_t i = 0; i < owned; i++) look_into(s, own[i].from, own[i].end);
-    while (s->waits > 0 && s->found < live.count) {
+    for (size_t i = 0; i < root_count; i++) look_into(s, roots[i].from, roots[i].end);
+    while (s->waits > 0 && s->found < s->all) {
         const block *b = &live.table[s->waiting[--s->waits]];
         look_into(s, b->at, b->at + b->size);
     }
-    return s->found == live.count;
+    return s->found == s->all;
+}
+
+/* Room for a search, kept for the next: the table only grows. NULL when there is none. */
+static size_t *search_room(void)
+{
+    static size_t *room, places;
+    if (places < live.room) {
+        if (room) munmap(room, places * (sizeof *room + 1));
+        room = pages(live.room * (sizeof *room + 1));
+        places = room ? live.room : 0;
+    }
+    if (room) memset(room + places, 0, places);
+    return room;
 }
 
 RAW int blocks_are_reached(const void *stack_top)
 {
     jmp_buf registers; /* here, or saved above when this function was entered */
     const uintptr_t here = (uintptr_t)&registers, top = (uintptr_t)stack_top;
-    live.counts = 0;
-    if (live.lost || here >= top || top - here > STACK) return 0;
-    if (live.count == 0) return 1;
-    const size_t bytes = live.room * (sizeof(size_t) + 1);
-    size_t *room = pages(bytes);
-    if (!room) return 0;
-    search s = {.reached = (char *)(room + live.room), .waiting = room};
+    if (!blocks_are_known() || here >= top || top - here > STACK) return 0;
+    search s = {.all = 0};
+    for (block *b = blocks_next(NULL); b; b = blocks_next(b)) s.all += !b->freed;
+    if (s.all == 0) return 1;
+    s.waiting = search_room();
+    if (!s.waiting) return 0;
+    s.reached = (char *)(s.waiting + live.room);
     if (__asan_get_current_fake_stack) s.fake_stack = __asan_get_current_fake_stack();
+    memset(&registers, 0, sizeof registers); /* what dead frames left there is no pointer of anybody's */
     (void)setjmp(registers);
-    const int all = follow(&s, here & ~(sizeof here - 1), top);
-    munmap(room, bytes);
-    return all;
+    return follow(&s, here & ~(sizeof here - 1), top);
 }

@@ -7,8 +7,8 @@
 FAULTS_ALL, FAULTS_EACH_PATH and so on (tests/faults/run_tests.c) say how many fail. A finding prints what the victim said.
 
 With --keep, each program's tallies are kept while it runs, in DIR/NAME-HASH.tally, where the hash is of the program and of these settings: whatever
-ends a run, the next goes on where it was. With --seconds, no more is begun after that, and what was not reached is told as unfinished. Programs take
-turns, of growing length, so that the small ones come first.
+ends a run, the next goes on where it was. With --seconds, no more is begun after that, and what was not reached is told as unfinished. The tests of
+programs take turns, of growing length, so that the short ones come first.
 """
 import argparse
 import collections
@@ -20,7 +20,7 @@ import subprocess
 import sys
 import time
 
-TURNS = (20, 200, 2000, None)  # seconds a program goes on before others have theirs
+TURNS = (5, 100, 0)  # seconds of the processor that a test goes on before others have theirs; 0: to its end
 
 
 def identity(program):
@@ -49,11 +49,8 @@ class Program:
         else:
             self.findings = None
 
-    def run(self, until):
-        if until:
-            self.environment["FAULTS_UNTIL"] = str(int(until))
-        else:
-            self.environment.pop("FAULTS_UNTIL", None)
+    def run(self, until, turn):
+        self.environment |= {"FAULTS_UNTIL": str(int(until or 0)), "FAULTS_TURN": str(turn)}
         ended = subprocess.run([self.path], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL, errors="replace",
                                env=self.environment)
         self.sums, self.status = collections.Counter(), ended.returncode
@@ -106,11 +103,7 @@ def run_all(programs, jobs, end, turns):
                 break
 
             def go_on(program, turn=turn):
-                now = time.time()
-                if end and now >= end:
-                    return program
-                limits = [limit for limit in (end, turn and now + turn) if limit]
-                return program.run(min(limits) if limits else None)
+                return program if end and time.time() >= end else program.run(end, turn)
 
             unfinished = []
             for program in pool.map(go_on, waiting):
@@ -136,7 +129,7 @@ def main():
     total, bad, whole, report = collections.Counter(), 0, 0, []
     programs = [Program(path, asked.keep) for path in asked.programs]
     end = begin + asked.seconds if asked.seconds else None
-    for program in run_all(programs, asked.jobs, end, TURNS if asked.keep else (None,)):
+    for program in run_all(programs, asked.jobs, end, TURNS if asked.keep else (0,)):
         print("\n".join(program.lines()), flush=True)
         report += program.lines()
         bad += program.verdict() == "not ok"

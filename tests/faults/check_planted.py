@@ -4,7 +4,7 @@
 
     check_planted.py PROGRAM
 
-It is run whole, and once more in pieces: killed as soon as a test is over, and gone on with, until all is done.
+It is run with forks, by rewinding (rewind.h), and once more in pieces: killed in its midst and gone on with.
 """
 import os
 import re
@@ -12,20 +12,22 @@ import subprocess
 import sys
 import tempfile
 
+FORKS = {"FAULTS_CPU_LIMIT": "1", "FAULTS_REWIND": "0"}
+REWINDS = {"FAULTS_CPU_LIMIT": "1", "FAULTS_EACH_PATH": "0", "ASAN_OPTIONS": os.environ.get("ASAN_OPTIONS", "") + ":detect_stack_use_after_return=0"}
+
 
 def tests_of(output):
     return {name: dict(zip(rest.split()[::2], map(int, rest.split()[1::2]))) for name, rest in re.findall(r"^test (\w+) (.*)$", output, re.M)}
 
 
-def run(program, **more):
+def run(program, how, **more):
     ended = subprocess.run([program], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", timeout=300,
-                           env={**os.environ, "FAULTS_CPU_LIMIT": "1", **more})
+                           env={**os.environ, **how, **more})
     return tests_of(ended.stdout)
 
 
-def killed(program, tally):
-    """The program's output until it was killed, a second after it began."""
-    running = subprocess.Popen([program], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, "FAULTS_CPU_LIMIT": "1", "FAULTS_TALLY": tally})
+def kill_early(program, how, tally):
+    running = subprocess.Popen([program], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={**os.environ, **how, "FAULTS_TALLY": tally})
     try:
         running.wait(1)
     except subprocess.TimeoutExpired:
@@ -33,27 +35,29 @@ def killed(program, tally):
         running.wait()
 
 
+def wrong_in(tests, rewound):
+    for name, sums in tests.items():
+        if not name.startswith("finds" if sums["findings"] else "passes"):
+            yield f"{name}: {sums}"
+        if sums["failed"] != sums["allocations"] or not sums["allocations"]:
+            yield f"{name}: not every allocation failed: {sums}"
+        if not sums["findings"] and sums["rewound"] != (sums["victims"] if rewound else 0):
+            yield f"{name}: {'not ' if rewound else ''}rewound: {sums}"
+
+
 def main():
     program = sys.argv[1]
-    whole, wrong = run(program), []
-    for name, sums in whole.items():
-        verdict = "finds" if sums["findings"] else "passes"
-        if not name.startswith(verdict):
-            wrong.append(f"{name}: {sums}")
-        if sums["failed"] != sums["allocations"] or not sums["allocations"]:
-            wrong.append(f"{name}: not every allocation failed: {sums}")
+    forked, rewound = run(program, FORKS), run(program, REWINDS)
+    wrong = [*wrong_in(forked, False), *wrong_in(rewound, True)]
     with tempfile.TemporaryDirectory() as folder:
         tally = os.path.join(folder, "tally")
-        killed(program, tally)
-        again = run(program, FAULTS_TALLY=tally)
-    for name, sums in again.items():
-        if any(sums[kind] != whole[name][kind] for kind in ("allocations", "failed")) or (sums["findings"] > 0) != (whole[name]["findings"] > 0):
-            wrong.append(f"{name}: killed and gone on with: {sums}, not {whole[name]}")
+        kill_early(program, REWINDS, tally)
+        wrong += wrong_in(run(program, REWINDS, FAULTS_TALLY=tally), True)
     for line in wrong:
         print("not ok", line)
-    if not wrong and whole:
-        print(f"ok {len(whole)} planted tests: what is a fault is found, what is none is not; also when killed and gone on with")
-    sys.exit(1 if wrong or not whole else 0)
+    if not wrong and forked:
+        print(f"ok {len(forked)} planted tests, with forks, rewound, and killed and gone on with: what is a fault is found, what is none is not")
+    sys.exit(1 if wrong or not forked else 0)
 
 
 main()

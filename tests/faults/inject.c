@@ -10,6 +10,7 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -18,13 +19,14 @@
 
 #include "faults/blocks.h"
 #include "faults/memory.h"
+#include "faults/rewind.h"
 
 /* There only where a sanitizer or the measuring of coverage brings them. */
 #pragma weak __lsan_do_recoverable_leak_check
 #pragma weak __llvm_profile_write_file
 int __llvm_profile_write_file(void);
 
-enum { PATHS = 1 << 16, PATIENCE = 500 };
+enum { PATHS = 1 << 16, PATIENCE = 500, REWIND_SECONDS = 10 };
 
 static struct {
     inject_plan plan;
@@ -32,6 +34,8 @@ static struct {
     const char *test;
     const char *stack_top;
     int log;
+    int out; /* the program's output; that of the test goes to the log */
+    int rewinds;
     int victim;
     int fail_all; /* in a victim: whatever comes */
     int in_vain;  /* and so many have come */
@@ -67,6 +71,7 @@ static int has_leaked(void)
 
 void inject_end_victim(int status)
 {
+    if (rewind_is_under_way()) rewind_back(blocks_are_reached(now.stack_top) ? status : REWIND_UNSURE);
     inject_leave(has_leaked() ? VICTIM_LEAKED : status);
 }
 
@@ -118,8 +123,6 @@ static void become_victim(int fail_all, uint64_t left)
     now.victim = 1;
     now.fail_all = fail_all;
     now.left = left;
-    dup2(now.log, STDOUT_FILENO);
-    dup2(now.log, STDERR_FILENO);
     setrlimit(RLIMIT_CORE, &no_core);
     setrlimit(RLIMIT_CPU, &cpu);
 }
@@ -135,31 +138,37 @@ static const char *describe(int end, char *text, size_t room)
     return text;
 }
 
-static void print_log(void)
+void inject_print_log(void)
 {
     char line[4096];
-    lseek(now.log, 0, SEEK_SET);
-    for (ssize_t got; (got = read(now.log, line, sizeof line)) > 0;)
-        if (write(STDOUT_FILENO, line, (size_t)got) != got) break;
+    off_t at = 0;
+    for (ssize_t got; (got = pread(now.log, line, sizeof line, at)) > 0; at += got)
+        if (write(now.out, line, (size_t)got) != got) break;
+}
+
+static void empty_log(void)
+{
+    fflush(NULL);
+    if (ftruncate(now.log, 0) != 0 || lseek(now.log, 0, SEEK_SET) != 0) abort();
+}
+
+/* 0 when `status` is none of a victim that did nothing wrong. */
+static int count_end(int status)
+{
+    uint64_t *kind = status == VICTIM_REFUSED ? &now.tally->refused : status == VICTIM_ENDURED ? &now.tally->endured : status == VICTIM_CUT ? &now.tally->cut : NULL;
+    if (kind) ++*kind;
+    return kind != NULL;
 }
 
 static void judge(int end, int fail_all)
 {
     char text[64];
     now.tally->victims++;
-    if (WIFEXITED(end) && WEXITSTATUS(end) == VICTIM_REFUSED) {
-        now.tally->refused++;
-    } else if (WIFEXITED(end) && WEXITSTATUS(end) == VICTIM_ENDURED) {
-        now.tally->endured++;
-    } else if (WIFEXITED(end) && WEXITSTATUS(end) == VICTIM_CUT) {
-        now.tally->cut++;
-    } else {
-        now.tally->findings++;
-        printf("finding: %s: without allocation %llu%s it %s\n", now.test, (unsigned long long)now.number,
-               fail_all ? " and all after it" : "", describe(end, text, sizeof text));
-        fflush(stdout);
-        print_log();
-    }
+    if (WIFEXITED(end) && count_end(WEXITSTATUS(end))) return;
+    now.tally->findings++;
+    dprintf(now.out, "finding: %s: without allocation %llu%s it %s\n", now.test, (unsigned long long)now.number, fail_all ? " and all after it" : "",
+            describe(end, text, sizeof text));
+    inject_print_log();
 }
 
 /*
@@ -169,8 +178,7 @@ static void judge(int end, int fail_all)
 static int fork_victim(int fail_all, uint64_t left)
 {
     int end;
-    fflush(NULL);
-    if (ftruncate(now.log, 0) != 0 || lseek(now.log, 0, SEEK_SET) != 0) abort();
+    empty_log();
     pid_t victim = _Fork();
     if (victim < 0) abort();
     if (victim == 0) {
@@ -199,19 +207,59 @@ static int go_on(void)
     return 0;
 }
 
+static int is_over(void)
+{
+    return (now.plan.until && (uint64_t)time(NULL) >= now.plan.until) || (now.plan.turn && (uint64_t)clock() / CLOCKS_PER_SEC >= now.plan.turn);
+}
+
 static void leave_test(void)
 {
     fflush(NULL);
     inject_leave(0);
 }
 
+/* One that hangs takes the process with it, and has more time in its fork. */
+static void limit_time(unsigned seconds)
+{
+    const struct itimerval limit = {{0, 0}, {(time_t)seconds, 0}};
+    setitimer(ITIMER_VIRTUAL, &limit, NULL);
+}
+
+/* As rewind_save(), from which it may come back a second time. */
+static int rewind_victim(int fail_all, uint64_t left)
+{
+    const int result = rewind_save(now.stack_top);
+    now.victim = result == REWIND_SAVED;
+    now.fail_all = fail_all;
+    now.left = left;
+    now.in_vain = 0;
+    return result;
+}
+
+/* True in a victim, which comes back here if it is rewound. */
+static int fail_here(int fail_all, uint64_t left, int by_fork)
+{
+    if (by_fork || !now.rewinds || now.number == now.tally->avoid) return fork_victim(fail_all, left);
+    now.tally->trying = now.number;
+    limit_time(now.plan.cpu_limit < REWIND_SECONDS ? now.plan.cpu_limit : REWIND_SECONDS);
+    const int result = rewind_victim(fail_all, left);
+    if (result == REWIND_SAVED) return 1;
+    limit_time(0);
+    now.tally->trying = 0;
+    if (!count_end(result)) return fork_victim(fail_all, left);
+    now.tally->victims++;
+    if (++now.tally->rewound % 1024 == 0) empty_log();
+    return 0;
+}
+
 /* True in a victim. */
 static int fail_this(uint64_t met)
 {
     const inject_plan *p = &now.plan;
-    const uint64_t after = met <= p->each_path ? 100 * p->after : p->after;
+    const int first = met <= p->each_path;
+    const uint64_t left = first ? 100 * p->after : p->after;
     const int alone = is_chosen(now.number, met, p->all), with_others = !p->once_only && is_chosen(now.number, met, p->all_after);
-    if ((alone && fork_victim(0, after)) || (with_others && fork_victim(1, after))) return 1;
+    if ((alone && fail_here(0, left, first)) || (with_others && fail_here(1, left, first))) return 1;
     now.tally->failed += (uint64_t)(alone || with_others);
     now.tally->allocations = now.number;
     return 0;
@@ -229,7 +277,7 @@ int memory_must_fail(void)
         now.tally->stopped = now.tally->whole = 1;
         leave_test();
     }
-    if (now.plan.until && (uint64_t)time(NULL) >= now.plan.until) leave_test();
+    if (is_over()) leave_test();
     now.number++;
     const uint64_t met = count_path(path_hash());
     return now.number > now.from && fail_this(met);
@@ -246,7 +294,11 @@ void inject_begin(const inject_plan *plan, inject_tally *tally, const char *test
     now.log = log;
     now.from = tally->allocations;
     tally->paths = tally->threaded = 0; /* told again on the way there */
+    now.out = dup(STDOUT_FILENO);
+    dup2(log, STDOUT_FILENO);
+    dup2(log, STDERR_FILENO);
     blocks_begin();
+    now.rewinds = plan->rewind && rewind_is_possible();
 }
 
 void inject_end(void)

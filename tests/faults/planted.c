@@ -131,6 +131,22 @@ static void passes_what_a_global_points_to(void **state)
     planted_free(kept, sizeof *kept);
 }
 
+static void passes_when_a_victim_leaves_nothing_changed(void **state)
+{
+    static int of_the_program;
+    int *on_the_heap = planted_block(sizeof *on_the_heap);
+    (void)state;
+    assert_non_null(on_the_heap);
+    *on_the_heap = 0;
+    for (int i = 0; i < 5; i++) {
+        char *block = planted_block(100);
+        assert_int_equal(++of_the_program, i + 1);
+        assert_int_equal(++*on_the_heap, i + 1);
+        planted_free(block, 100);
+    }
+    planted_free(on_the_heap, sizeof *on_the_heap);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -142,6 +158,7 @@ int main(void)
         cmocka_unit_test(finds_one_that_never_gives_up),
         cmocka_unit_test(passes_what_frames_still_point_to),
         cmocka_unit_test(passes_what_a_global_points_to),
+        cmocka_unit_test(passes_when_a_victim_leaves_nothing_changed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,15 +3,19 @@
 #
 # Every test with CMocka's runner is linked a second time, with ours and the allocator's functions wrapped (inject.h, memory.h).
 FAULTY := $(patsubst tests/%.c,$(BUILD)/tests/faults/%,$(filter tests/unit/% tests/property/%,$(TEST_SOURCES)))
-MEMORY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
-$(BUILD)/obj/tests/faults/%.o: POSIX += -D_DEFAULT_SOURCE
-$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o $(call objects,tests/faults/blocks.c tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
-	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(filter %.o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(TEST_LIBS) -o $@
 PLANTED := $(BUILD)/tests/faults/planted
-$(PLANTED): $(call objects,tests/faults/planted.c tests/faults/blocks.c tests/faults/inject.c tests/faults/memory.c tests/faults/run_tests.c) $(STATIC)
+MEMORY_WRAP := -Wl,--wrap=memory_resize,--wrap=memory_array,--wrap=memory_reserve,--wrap=memory_shrink
+REWIND_WRAP := -Wl,--wrap=free,--wrap=realloc,--wrap=fopen,--wrap=pthread_create
+INJECT := $(call objects,tests/faults/blocks.c tests/faults/inject.c tests/faults/memory.c tests/faults/rewind.c tests/faults/run_tests.c)
+REWOUND := $(call objects,tests/faults/rewind_begin.c tests/faults/rewind_end.c)
+$(BUILD)/obj/tests/faults/%.o: POSIX += -D_DEFAULT_SOURCE
+# What is to be rewound stands between the two, and what rewinds it behind.
+$(FAULTY) $(PLANTED): $(INJECT) $(REWOUND) $(SUPPORT) $(COMMAND_PARTS) $(STATIC)
 	@mkdir -p $(@D)
-	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) -lcmocka -lm -o $@
+	$(CC) $(LDFLAGS) $(MEMORY_WRAP) $(REWIND_WRAP) $(firstword $(REWOUND)) $(filter %/$(@F).o,$^) $(SUPPORT) $(COMMAND_PARTS) $(STATIC) $(lastword $(REWOUND)) \
+		$(INJECT) $(STATIC) $(TEST_LIBS) -o $@
+$(FAULTY): $(BUILD)/tests/faults/%: $(BUILD)/obj/tests/%.o
+$(PLANTED): $(call objects,tests/faults/planted.c)
 FAULTY_UNIT := $(filter $(BUILD)/tests/faults/unit/%,$(FAULTY))
 
 # The command with the system's answers changed.
@@ -21,16 +25,20 @@ $(SHIMMED): $(call objects,$(TOOL_SOURCES) tests/faults/shim.c tests/faults/memo
 	@mkdir -p $(@D)
 	$(CC) $(LDFLAGS) $(SHIM_WRAP) $(MEMORY_WRAP) $(filter %.o,$^) $(STATIC) $(TOOL_LIBS) -o $@
 
-# Small: a victim's fork copies what the sanitizer holds back of freed blocks, of dead frames and of how blocks came to be.
-CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=1:thread_local_quarantine_size_kb=64:max_uar_stack_size_log=16:malloc_context_size=8 \
-	$(PYTHON) tests/faults/campaign.py
+# Small: a victim's fork copies what the sanitizer holds back of freed blocks and of how blocks came to be.
+CAMPAIGN = env ASAN_OPTIONS=$$ASAN_OPTIONS:quarantine_size_mb=1:thread_local_quarantine_size_kb=64:malloc_context_size=8$(FRAMES) $(PYTHON) tests/faults/campaign.py
+# Frames on the sanitizer's heap cannot be rewound. Forks keep them: in `make check` all victims are forked.
+faults: FRAMES := :detect_stack_use_after_return=0
 
 FAULTS_OF ?= unit property
+# Every public function, without each of its allocations.
+STARVED := tests/unit/test_no_memory tests/unit/test_no_memory_building
 .PHONY: faulty-programs run-faults faults
-faulty-programs: $(FAULTY) $(SHIMMED)
+faulty-programs: $(FAULTY) $(PLANTED) $(SHIMMED)
 faults: ## fail every allocation of all tests, going on where the last run stopped (FAULTS_SECONDS=3600: for so long), and every file operation of the command
 	@tools/setup/packages.sh check
-	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all
+	+@$(MAKE) --no-print-directory -s SANITIZE=1 CC=$(CLANG) BUILD=$(BUILD)/sanitize faulty-programs all $(STARVED:%=$(BUILD)/sanitize/%)
+	$(foreach program,$(STARVED:%=$(BUILD)/sanitize/%),SCARCE_ALL=1000000 $(program) &&) $(PYTHON) tests/faults/check_planted.py $(BUILD)/sanitize/tests/faults/planted
 	TDSP=$(abspath $(BUILD))/sanitize/tdsp TDSP_SHIMMED=$(abspath $(BUILD))/sanitize/tests/faults/tdsp SHIM_EVERY=1 $(PYTHON) tests/faults/files.py
 	$(CAMPAIGN) --jobs $(JOBS) --keep $(BUILD)/faults/allocations $(FAULTS_SECONDS:%=--seconds %) --report $(BUILD)/faults/allocations.txt $(foreach kind,$(FAULTS_OF),$(filter $(BUILD)/sanitize/tests/faults/$(kind)/%,$(FAULTY:$(BUILD)/%=$(BUILD)/sanitize/%)))
 

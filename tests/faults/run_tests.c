@@ -27,9 +27,9 @@
 
 EXPORTED void _fail(const char *file, int line)
 {
+    if (inject_is_victim()) inject_end_victim(VICTIM_REFUSED);
     print_error("%s:%d: failed\n", file, line);
     fflush(NULL);
-    if (inject_is_victim()) inject_end_victim(VICTIM_REFUSED);
     inject_leave(1);
 }
 
@@ -42,14 +42,16 @@ static uint64_t number_of(const char *name, uint64_t otherwise)
 static inject_plan plan_given(void)
 {
     return (inject_plan){.all = number_of("FAULTS_ALL", UINT64_MAX),
-                         .all_after = number_of("FAULTS_ALL_AFTER", 1000),
-                         .each_path = number_of("FAULTS_EACH_PATH", 2),
+                         .all_after = number_of("FAULTS_ALL_AFTER", UINT64_MAX),
+                         .each_path = number_of("FAULTS_EACH_PATH", 1),
                          .depth = (int)number_of("FAULTS_DEPTH", 64),
                          .stop = number_of("FAULTS_STOP", 0),
                          .once_only = (int)number_of("FAULTS_ONCE_ONLY", 0),
                          .at = number_of("FAULTS_AT", 0),
                          .after = number_of("FAULTS_AFTER", 50),
+                         .rewind = (int)number_of("FAULTS_REWIND", 1),
                          .until = number_of("FAULTS_UNTIL", 0),
+                         .turn = number_of("FAULTS_TURN", 0),
                          .cpu_limit = (unsigned)number_of("FAULTS_CPU_LIMIT", 120)};
 }
 
@@ -87,8 +89,8 @@ static int shown(const char *name, const inject_tally *t, int sound)
         uint64_t count;
     } told[] = {{"allocations", t->allocations}, {"failed", t->failed},     {"victims", t->victims},   {"refused", t->refused},
                 {"endured", t->endured},         {"cut", t->cut},           {"threaded", t->threaded}, {"paths", t->paths},
-                {"searched", t->searched},       {"stopped", t->stopped},   {"unfinished", !t->whole}, {"findings", t->findings + !sound}};
-    if (!sound) printf("finding: %s: the test fails by itself\n", name);
+                {"rewound", t->rewound},         {"searched", t->searched},       {"stopped", t->stopped},   {"unfinished", !t->whole}, {"findings", t->findings + !sound}};
+    if (!sound) printf("finding: %s: the test fails by itself, after %llu allocations\n", name, (unsigned long long)t->allocations);
     printf("test %s", name);
     for (size_t i = 0; i < sizeof told / sizeof told[0]; i++) printf(" %s %llu", told[i].what, (unsigned long long)told[i].count);
     printf("\n");
@@ -113,7 +115,12 @@ static int run_or_go_on(const struct CMUnitTest *test, inject_tally *tally, int 
 {
     if (tally->whole) return 1;
     if (tally->threaded > 0) *tally = (inject_tally){0};
-    return run_in_process(test, tally, log);
+    tally->trying = 0;
+    while (!run_in_process(test, tally, log)) {
+        if (tally->trying == 0 || tally->trying == tally->avoid) return 0;
+        tally->avoid = tally->trying;
+    }
+    return 1;
 }
 
 EXPORTED int _cmocka_run_group_tests(const char *group, const struct CMUnitTest *const tests, const size_t count, CMFixtureFunction setup,

@@ -74,8 +74,8 @@ typedef struct scarce_call {
 
 /*
  * Each call in each world, without each of its allocations, once alone and once with all after it: it says so or does without, its outputs
- * are untouched, the same call with memory then answers in full, and nothing is left. Of a call with over 64 allocations the first 64 and then
- * ever fewer. Prints how many failed.
+ * are untouched, the same call with memory then answers in full, and nothing is left. Of a call with over 64 allocations the first 64 (the
+ * environment's SCARCE_ALL: so many) and then ever fewer. Prints how many failed.
  */
 void scarce_try(const scarce_call *calls, size_t count);
 

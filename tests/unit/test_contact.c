@@ -389,6 +389,27 @@ static void a_ride_of_one_unit_in_the_last_place_of_time_comes_to_an_end(void **
     }
 }
 
+/*
+ * A ride that begins in a touch to the bit is decided by no bound on its way from there. From time 0 on it could be halved a thousand times, which is more than there is
+ * room for: it is followed to the smallest interval.
+ */
+static void a_ride_that_begins_in_a_touch_to_the_bit_is_halved_to_the_smallest_interval(void **state)
+{
+    (void)state;
+    geom_disc disc = disc_make(point_make(0.0, 0.0), 1.0, 0.0);
+    geom_ride ride = {&disc, 1, 0.0, 0.0, 0.5};
+    int met = 0;
+    for (int k = 1; k <= 100; ++k) {
+        const double distance = k * 0x1p-50;
+        geom_disc other = disc_make(point_make(1.0 + distance, 0.0), distance, 0.0);
+        for (int step = 0; step < 8; ++step) other.radius = distance + tolerance_touch(other.center, distance + other.radius);
+        if (distance - other.radius + tolerance_touch(other.center, distance + other.radius) != 0.0) continue;
+        assert_true(isinf(ride_contact(&ride, &other)));
+        ++met;
+    }
+    assert_true(met > 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -398,6 +419,7 @@ int main(void)
         cmocka_unit_test(a_touch_that_is_claimed_is_one),
         cmocka_unit_test(a_ride_that_rounding_alone_decides_is_stopped_where_it_is_nearest_or_not_at_all),
         cmocka_unit_test(a_ride_of_one_unit_in_the_last_place_of_time_comes_to_an_end),
+        cmocka_unit_test(a_ride_that_begins_in_a_touch_to_the_bit_is_halved_to_the_smallest_interval),
         cmocka_unit_test(a_touch_is_found_as_long_as_the_rider_is_let_past_and_no_longer),
         cmocka_unit_test(whoever_comes_over_at_a_touch_rides_on),
         cmocka_unit_test(a_line_is_blocked_exactly_when_samples_lie_inside),

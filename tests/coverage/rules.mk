@@ -45,6 +45,6 @@ coverage: ## measure lines, branches and conditions covered by all tests, and co
 	@tools/setup/packages.sh check
 	@rm -rf $(COVERAGE_BUILD)/profiles $(COVERAGE_BUILD)/check
 	+@$(COVERAGE_MAKE) all tests faulty-programs
-	+@$(COVERAGE_MAKE) -k run-tests run-faults $(COVERAGE_BUILD)/check/file-faults.result
+	+@$(COVERAGE_MAKE) -k run-tests $(COVERAGE_BUILD)/check/faults/allocations.result $(COVERAGE_BUILD)/check/file-faults.result
 	@tests/summary.sh $(COVERAGE_BUILD)/check
 	@$(COVERAGE_REPORT) $(COVERAGE_OBJECTS)

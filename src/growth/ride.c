@@ -286,9 +286,9 @@ static void fan_meets(ride_meeting *meeting, const growth_chunk *chunk, const gr
     ride_pass after = {chunk, other, sight_span_at(other, chunk->sign, time), 0.0, INFINITY, 0.0, 0.0, INFINITY}, before = after;
     before.span = span_before(other, chunk->sign, after.span, time);
     ride_sample from = sample_at(&after, chunk->from), to = sample_at(&after, chunk->to);
-    double clearance = sample_clearance(&after, &from), depth = clearance * touch_of(&after, &from, point_length(from.place));
-    if (clearance > 1.0 + TOUCH_SAME) return;
-    if (clearance < -1.0 - TOUCH_SAME && !(begins && depth <= forgiven_to(chunk->shape, chunk->sign, time))) return;
+    double touch = -touch_of(&after, &from, point_length(from.place)), clearance = sample_clearance(&after, &from), deepest = 1.0 + TOUCH_SAME;
+    if (begins) deepest = math_max(deepest, forgiven_to(chunk->shape, chunk->sign, time) / touch);
+    if (clearance > 1.0 + TOUCH_SAME || clearance < -deepest) return;
     if (sample_slope(&after, &from) >= 0.0) {
         if (begins && sample_slope(&before, &from) < 0.0) meeting_notes(meeting, &before, 1, chunk->from);
     } else if (sample_slope(&after, &to) >= 0.0) {

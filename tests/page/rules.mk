@@ -12,7 +12,7 @@ check-page: ## try the page in Chromium, installed first where it is missing: cl
 	@tools/setup/packages.sh page-check
 	@$(MAKE) --no-print-directory -s $(PAGE)/index.html $(COMMAND)
 	@rm -rf $(CHECK)/browser && mkdir -p $(CHECK)/browser
-	@tests/run.sh $(CHECK)/browser/page.result page tests/page/browser/check.sh $(abspath $(BUILD))
+	@TEST_TIMEOUT=3600 tests/run.sh $(CHECK)/browser/page.result page tests/page/browser/check.sh $(abspath $(BUILD))
 	@tests/run.sh $(CHECK)/browser/types.result types tests/page/types/check.sh $(abspath $(BUILD))
 	@sed -n 's/^# \(measured .*\)/\1/p' $(CHECK)/browser/page.out
 	@tests/summary.sh $(CHECK)/browser

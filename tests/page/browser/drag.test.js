@@ -140,6 +140,30 @@ test("bends are marked where they can be found, and go with the scene that had t
     assert.deepEqual(await ask(page, (p) => [p.answers.found.bends.length, p.curve.state.bends.length]), [0, 0]);
 }));
 
+test("where jumps cannot be found that is said beside the curve, which is then not called exact", quietly(async () => {
+    const page = await openPage();
+    await settled(page);
+    await page.evaluate(() => {
+        const { answers, store } = globalThis.tdspPage;
+        globalThis.kept = { jumps: answers.remote.jumps, curve: answers.remote.curve };
+        answers.remote.curve = () => new Promise(() => {}); // its pieces would tell them all the same
+        answers.remote.jumps = () => Promise.reject(Object.assign(new Error("there is no memory left"), { status: "no_memory" }));
+        store.dispatch({ type: "disc", index: 0, change: { radius: 0.9 } });
+    });
+    await settled(page);
+    assert.equal(await page.textContent("#curve-problem"), "Where the curve jumps could not be found: there is no memory left.");
+    assert.ok(await page.locator("#curve-problem").isVisible());
+    assert.equal(await ask(page, (p) => p.curve.state.sampled), true);
+    await page.evaluate(() => {
+        const { answers, store } = globalThis.tdspPage;
+        Object.assign(answers.remote, globalThis.kept);
+        store.dispatch({ type: "undo" });
+    });
+    await settled(page);
+    assert.ok(await page.locator("#curve-problem").isHidden());
+    assert.equal(await ask(page, (p) => p.answers.found.jumps.length), 1);
+}));
+
 test("a deadline gives the latest departure", quietly(async () => {
     const page = await openPage();
     await settled(page);

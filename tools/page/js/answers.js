@@ -35,8 +35,10 @@ export function roundUp(value) {
  * @property {{jumps: string|null, table: string|null}} problems sentences
  */
 
+const NO_PROBLEMS = Object.freeze({ jumps: null, table: null });
+
 /** @returns {Found} */
-const nothing = () => ({ path: null, latest: null, latestPath: null, last: null, horizon: null, samples: null, jumps: null, bends: [], built: null, stale: false, tableStale: false, working: false, problems: { jumps: null, table: null } });
+const nothing = () => ({ path: null, latest: null, latestPath: null, last: null, horizon: null, samples: null, jumps: null, bends: [], built: null, stale: false, tableStale: false, working: false, problems: NO_PROBLEMS });
 
 export class Answers {
     found = nothing();
@@ -86,7 +88,7 @@ export class Answers {
             this.#retired.push(this.scene);
             this.scene = scene;
         }
-        this.found = { ...this.found, stale: true, tableStale: true };
+        this.found = { ...this.found, stale: true, tableStale: true, problems: NO_PROBLEMS };
         this.#begin();
     }
 
@@ -232,7 +234,7 @@ export class Answers {
         const { curve } = await settled(this.remote.curve(scene.description, { signal, until: this.until }), "curve").catch(unlessCancelled);
         if (signal.aborted || !curve) return;
         const bends = curve.pieces.filter(({ change }) => change === "touch" || change === "switch").map(({ until, travelUntil }) => ({ departure: until, travel: travelUntil }));
-        this.found = { ...this.found, bends, jumps: withSmallJumps(this.found.jumps ?? [], curve.pieces) };
+        this.found = { ...this.found, bends, jumps: withSmallJumps(this.found.jumps ?? [], curve.pieces), problems: { ...this.found.problems, jumps: null } };
         this.changed();
     }
 
@@ -242,7 +244,7 @@ export class Answers {
         const { jumps, problem } = await settled(this.remote.jumps(scene.description, options), "jumps");
         if (signal.aborted) return;
         this.#shaped = true;
-        this.found = { ...this.found, jumps: jumps ?? [], problems: { ...this.found.problems, jumps: problem }, stale: false };
+        this.found = { ...this.found, jumps: jumps ?? null, problems: { ...this.found.problems, jumps: problem }, stale: false };
         this.changed();
     }
 
@@ -257,7 +259,7 @@ export class Answers {
         const table = built ? this.core.table(built.bytes) : null;
         this.found.built?.table.free();
         // A table knows its jumps, and is often there before the worker has found all of them.
-        const jumps = this.found.jumps ?? table?.jumps().filter((jump) => Number.isFinite(jump.size)) ?? null;
+        const jumps = this.found.jumps ?? (this.found.problems.jumps === null ? table?.jumps().filter((jump) => Number.isFinite(jump.size)) : null) ?? null;
         this.found = { ...this.found, jumps, tableStale: false, built: built ? { ...built, seconds, epsilon, table } : null, problems: { ...this.found.problems, table: problem } };
         this.changed();
     }

@@ -248,6 +248,7 @@ export class Page {
             evaluate: this.answers.scene ? this.#travel : null, units: state.edit?.scene.units ?? this.answers.table?.info.units ?? null, message: noCurve(found),
         });
         byId("curve").parentElement.classList.toggle("stale", found.stale);
+        tell(byId("curve-problem"), found.problems.jumps && `Where the curve jumps could not be found: ${found.problems.jumps.replace(/\.?$/, ".")}`);
     }
 
     /** Only what has changed: the rest of the picture need not be drawn anew. */

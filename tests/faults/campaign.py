@@ -20,7 +20,7 @@ import subprocess
 import sys
 import time
 
-TURNS = (5, 100, 0)  # seconds of the processor that a test goes on before others have theirs; 0: to its end
+TURNS = (1, 20, 0)  # seconds of the processor that a test goes on before others have theirs; 0: to its end
 
 
 def identity(program):

@@ -245,6 +245,8 @@ static tdsp_status push_part(leave_target *target, double from, double to, int s
         double a = target_value(target, from), b = target_value(target, to);
         /* Straight away from the centre both sides are one line, and rounding must not tell them apart: whom a disc just catches from behind it catches for both. */
         if (!target->chunk && b < 0.0 && b > -TOUCH_VALUE) b = 0.0;
+        /* Who starts to ride on both boundaries, as where discs touch from inside at the source, may be between them for a while first: see root_behind_zero(). */
+        if (target->chunk && b < 0.0 && a < 0.0 && a > -TOUCH_VALUE) a = 0.0;
         if ((a < 0.0) != (b < 0.0)) status = push_between(target, from, a, to, b, side);
     }
     target->run = SHAPE_NONE;

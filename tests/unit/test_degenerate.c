@@ -161,6 +161,15 @@ static void a_source_where_two_discs_touch_from_inside_is_left_by_both(void **st
     assert_near(agreed_arrival(&d, 0.0), 2.641733936823384, 1e-10);
 }
 
+/* ... and where the source's distance is rounded to a hair inside one of them that ride seemed to begin inside of it, and not to leave for it later. */
+static void a_source_where_two_discs_touch_from_inside_is_left_by_both_after_rounding(void **state)
+{
+    (void)state;
+    const degenerate d = {{1.0, 0.0, {-1.0, 0.0}, {1.890625, -2.0}}, 2,
+                          {{{-0.57421875, 0.0}, 0.42578125, 0.032499999999967499}, {{-0.48828125, 0.0}, 0.51171875, 0.024999999975000003}}};
+    assert_near(agreed_arrival(&d, 0.0), 3.603365540027, 1e-11);
+}
+
 /* From a pebble on a boundary the rider left for a place a quarter round the disc, by a leg of no length. */
 static void a_pebble_on_a_boundary_is_no_short_cut_round_the_disc(void **state)
 {
@@ -413,6 +422,7 @@ int main(void)
         cmocka_unit_test(a_source_a_hair_off_a_boundary_is_left_both_ways_round),
         cmocka_unit_test(nobody_leaves_a_vast_disc_from_behind),
         cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both),
+        cmocka_unit_test(a_source_where_two_discs_touch_from_inside_is_left_by_both_after_rounding),
         cmocka_unit_test(a_pebble_on_a_boundary_is_no_short_cut_round_the_disc),
         cmocka_unit_test(a_destination_on_a_boundary_is_reached_late_in_time),
         cmocka_unit_test(a_destination_on_a_boundary_is_ridden_onto_tens_of_thousands_of_journeys_late),

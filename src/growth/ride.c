@@ -192,10 +192,13 @@ static int is_far(const growth_chunk *chunk, const growth_shape *other, tdsp_poi
     return point_dot(offset, offset) > reach * reach;
 }
 
+/* Where both moments are one, there is still something to double. */
+#define LEAST_WIDTH 0x1p-52
+
 /* The moment of the least clearance around that noted, which rounding may have put a little off; 0 where it falls or rises all the way. */
 static int least_moment(const ride_pass *pass, double from, double to, double *at)
 {
-    double width = pass->after - pass->before, before = pass->before, after = pass->after;
+    double before = pass->before, after = pass->after, width = math_max(after - before, LEAST_WIDTH * (to - from));
     ride_sample first = sample_at(pass, before), last = sample_at(pass, after);
     for (; before > from && sample_slope(pass, &first) >= 0.0; width *= 2.0) {
         before = math_max(before - width, from);

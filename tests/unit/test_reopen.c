@@ -14,12 +14,19 @@
 
 enum { GAP, ROAD, LOOSE, STILL, CROWD, SWELL, SQUEEZE };
 
+static unsigned char *written(size_t which, size_t *length)
+{
+    unsigned char *bytes = golden_write(&golden_tables[which], length);
+    assert_non_null(bytes);
+    return bytes;
+}
+
 static void a_table_opened_again_is_the_table_opened(void **state)
 {
     (void)state;
     for (size_t which = 0; which < GOLDEN_COUNT; which++) {
         size_t length;
-        unsigned char *bytes = golden_write(&golden_tables[which], &length);
+        unsigned char *bytes = written(which, &length);
         tdsp_table first, again;
         memset(&first, 0, sizeof first);
         memset(&again, 0, sizeof again);
@@ -45,7 +52,7 @@ static void what_is_no_table_of_that_length_is_refused(void **state)
     (void)state;
     size_t length;
     tdsp_table table;
-    unsigned char *bytes = golden_write(&golden_tables[0], &length);
+    unsigned char *bytes = written(0, &length);
     assert_int_equal(tdsp_table_reopen(NULL, bytes, length), TDSP_INVALID_ARGUMENT);
     assert_int_equal(tdsp_table_reopen(&table, NULL, length), TDSP_INVALID_ARGUMENT);
     assert_refused(bytes, 7, TDSP_BAD_MAGIC);
@@ -68,7 +75,7 @@ static void a_number_whose_size_wraps_around_is_refused(void **state)
                   {SQUEEZE, format_at_offset(FORMAT_GAPS) + FORMAT_FURTHER_AT_COUNT, UINT64_C(1) << 61}};
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {
         size_t length;
-        unsigned char *bytes = golden_write(&golden_tables[faults[i].which], &length);
+        unsigned char *bytes = written(faults[i].which, &length);
         bytes_put_u64(bytes + faults[i].at, bytes_get_u64(bytes + faults[i].at) + faults[i].more);
         assert_refused(bytes, length, TDSP_BAD_TABLE);
         free(bytes);
@@ -80,7 +87,7 @@ static void a_table_of_no_rows_is_refused(void **state)
 {
     (void)state;
     size_t length;
-    unsigned char *bytes = golden_write(&golden_tables[STILL], &length);
+    unsigned char *bytes = written(STILL, &length);
     assert_int_equal(bytes_get_u32(bytes + FORMAT_AT_HEADER_LENGTH), FORMAT_HEADER_LENGTH);
     brink b = brink_of(bytes, FORMAT_HEADER_LENGTH);
     bytes_put_u64(b.bytes + FORMAT_AT_LENGTH, FORMAT_HEADER_LENGTH);
@@ -96,7 +103,7 @@ static void a_table_shorter_than_a_header_is_refused_by_its_length(void **state)
 {
     (void)state;
     size_t length;
-    unsigned char *bytes = golden_write(&golden_tables[STILL], &length);
+    unsigned char *bytes = written(STILL, &length);
     for (size_t less = FORMAT_AT_HEADER_LENGTH; less < FORMAT_HEADER_LENGTH; less++) {
         brink b = brink_of(bytes, less);
         if (less >= FORMAT_AT_LENGTH + 8) bytes_put_u64(b.bytes + FORMAT_AT_LENGTH, less);
@@ -112,7 +119,7 @@ static void a_section_whose_end_wraps_around_is_refused(void **state)
     (void)state;
     for (size_t section = 0; section < FORMAT_SECTIONS_2; section++) {
         size_t length;
-        unsigned char *bytes = golden_write(&golden_tables[section == FORMAT_CURVES ? SWELL : SQUEEZE], &length);
+        unsigned char *bytes = written(section == FORMAT_CURVES ? SWELL : SQUEEZE, &length);
         bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
         bytes_put_u64(bytes + format_at_offset(section), UINT64_MAX - 7);
         assert_refused(bytes, length, TDSP_BAD_TABLE);
@@ -125,7 +132,7 @@ static void a_section_larger_than_the_bytes_is_refused_wherever_it_ends(void **s
 {
     (void)state;
     size_t length;
-    unsigned char *bytes = golden_write(&golden_tables[SWELL], &length);
+    unsigned char *bytes = written(SWELL, &length);
     const size_t guide = format_at_offset(FORMAT_BY_DEPARTURE);
     bytes_put_u16(bytes + FORMAT_AT_MINOR, FORMAT_MINOR + 1);
     for (size_t section = FORMAT_BY_ARRIVAL; section < FORMAT_SECTIONS_2; section++) bytes_put_u64(bytes + format_at_offset(section), length);
@@ -144,7 +151,7 @@ static void padding_is_not_looked_for_behind_the_bytes(void **state)
 {
     (void)state;
     size_t length;
-    unsigned char *bytes = golden_write(&golden_tables[ROAD], &length);
+    unsigned char *bytes = written(ROAD, &length);
     brink b = brink_of(bytes, length - 3);
     bytes_put_u64(b.bytes + FORMAT_AT_LENGTH, length - 3);
     assert_refused(b.bytes, length - 3, TDSP_BAD_TABLE);
@@ -158,10 +165,10 @@ static void no_changed_byte_leads_a_read_outside(void **state)
     (void)state;
     uint64_t chance = 31;
     size_t opened = 0;
-    for (int trial = 0; trial < 4000; trial++) {
+    for (size_t trial = 0; trial < 4000; trial++) {
         size_t length;
         tdsp_table table;
-        unsigned char *bytes = golden_write(&golden_tables[trial % GOLDEN_COUNT], &length);
+        unsigned char *bytes = written(trial % GOLDEN_COUNT, &length);
         for (size_t i = 0; i < 1 + chance_below(&chance, 3); i++) bytes[chance_below(&chance, i % 2 == 0 && length > 344 ? 344 : length)] = (unsigned char)chance_u64(&chance);
         if (tdsp_table_reopen(&table, bytes, length) == TDSP_OK) {
             opened++;

@@ -123,12 +123,18 @@ static double landing_theta(tdsp_point center, int side, const sight_line *line,
     return math_atan2(side * point_cross(outwards, line->unit), point_dot(outwards, line->unit));
 }
 
+/* The disc's radius as the line comes as far as its centre, or as the run ends. */
+static double radius_ahead(const leave_target *target, const sight_line *line, double distance)
+{
+    const double sign = target->engine->question.sign;
+    return shape_radius(target->shape, sign * math_min(line->start + distance, run_ends(target->shape, sign, target->run)));
+}
+
 /* A line from there that touches the disc as it will be, if the disc does not reach as far; 0 where it does. */
 static int line_aim(const leave_target *target, sight_line *line)
 {
     tdsp_point to = point_sub(target->place, line->from);
-    double sign = target->engine->question.sign, distance = point_length(to), time = math_min(line->start + distance, run_ends(target->shape, sign, target->run));
-    double radius = shape_radius(target->shape, sign * time);
+    double distance = point_length(to), radius = radius_ahead(target, line, distance);
     if (radius >= distance) return 0;
     line->unit = point_unit(math_atan2(to.y, to.x) - target->side * math_asin(radius / distance));
     return 1;
@@ -146,10 +152,12 @@ static void line_graze(const leave_target *target, sight_line *line, sight_neare
         double distance = point_length(out), miss = fabs(nearest->value);
         if (miss <= GRAZE_VALUE * distance) return;
         sight_line better = *line;
-        double turn = -nearest->value / (2.0 * (nearest->time - line->start) * point_cross(line->unit, out));
         int is_far = !(miss <= GRAZE_FAR * distance * distance);
         if (is_far && (is_aimed || !line_aim(target, &better))) return;
-        if (!is_far) better.unit = point_unit(math_atan2(line->unit.y, line->unit.x) + turn);
+        if (!is_far) {
+            double turn = -nearest->value / (2.0 * (nearest->time - line->start) * point_cross(line->unit, out));
+            better.unit = point_unit(math_atan2(line->unit.y, line->unit.x) + turn);
+        }
         sight_nearest touch = target_nearest(target, &better, 1);
         if (!is_far && !(fabs(touch.value) < miss)) return;
         *line = better;
@@ -207,9 +215,8 @@ static tdsp_status push_tangent(const leave_target *target, double at)
 static tdsp_status push_narrow(leave_target *target, double at)
 {
     sight_line line = target_line(target, at);
-    double radius = shape_radius(target->shape, target->engine->question.sign * (line.start + point_distance(line.from, target->place)));
     tdsp_status status = TDSP_OK;
-    if (fabs(target_offset(target, &line)) < 0.5 * radius) return TDSP_OK;
+    if (fabs(target_offset(target, &line)) < 0.5 * radius_ahead(target, &line, point_distance(line.from, target->place))) return TDSP_OK;
     for (int side = -1; side <= 1 && status == TDSP_OK; side += 2) {
         target->side = side;
         if (line_aim(target, &line)) status = push_line(target, at, &line);
